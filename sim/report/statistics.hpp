@@ -1,0 +1,193 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <vector>
+
+#include "firmware/work.hpp"
+#include "models/duration.hpp"
+
+namespace maquette::sim {
+
+/// The one declaration of a statistic: key in stats.json (times end in _s), unit, meaning, place.
+/// Writer, reader and documentation walk these declarations and know no statistic by name.
+template <typename Owner, typename Value>
+struct Field {
+  const char* name;
+  const char* unit;  ///< "s", "pixels", "1" for a ratio, "" for a text or a group
+  const char* description;
+  Value Owner::*member;
+};
+
+template <typename Owner, typename Value>
+constexpr Field<Owner, Value> field(const char* name, const char* unit, const char* description,
+                                    Value Owner::*member) {
+  return {name, unit, description, member};
+}
+
+/// Whether a type declares fields of its own.
+template <typename Type, typename = void>
+inline constexpr bool k_has_fields = false;
+template <typename Type>
+inline constexpr bool k_has_fields<Type, std::void_t<decltype(Type::fields())>> = true;
+
+/// Calls `action` with each field of `Owner`, in the order of their declaration.
+template <typename Owner, typename Action>
+void for_each_field(Action&& action) {
+  std::apply([&action](const auto&... fields) { (action(fields), ...); }, Owner::fields());
+}
+
+/// Counts per operation class, keyed by firmware::k_operation_names.
+using OperationCounts = std::array<std::uint64_t, firmware::k_operation_count>;
+
+struct FrameStatistics {
+  int width = 0;
+  int height = 0;
+  models::Duration time{};
+  models::Duration load{};
+  models::Duration preprocess{};
+  models::Duration synthesis{};
+  std::int64_t pixels_total = 0;
+  std::int64_t pixels_synthesised = 0;
+
+  static constexpr auto fields() {
+    using Self = FrameStatistics;
+    return std::make_tuple(
+        field("width", "pixels", "columns of the frame", &Self::width),
+        field("height", "pixels", "rows of the frame", &Self::height),
+        field("time_s", "s", "from the boards' start to the last pixel in the frame memory",
+              &Self::time),
+        field("load_s", "s", "writing code and database into the boards, before their start",
+              &Self::load),
+        field("preprocess_s", "s", "from the boards' start to the end of the last preprocessing",
+              &Self::preprocess),
+        field("synthesis_s", "s", "from the end of the last preprocessing to the last pixel",
+              &Self::synthesis),
+        field("pixels_total", "pixels", "of the frame", &Self::pixels_total),
+        field("pixels_synthesised", "pixels", "in the useful zone, written by the boards",
+              &Self::pixels_synthesised));
+  }
+};
+
+/// The part of the screen outside of which every pixel shows the background (paper, section II.3).
+struct UsefulZone {
+  int column = 0;
+  int row = 0;
+  int width = 0;
+  int height = 0;
+
+  static constexpr auto fields() {
+    using Self = UsefulZone;
+    return std::make_tuple(field("column", "pixels", "of its left edge", &Self::column),
+                           field("row", "pixels", "of its upper edge", &Self::row),
+                           field("width", "pixels", "columns of the zone", &Self::width),
+                           field("height", "pixels", "rows of the zone", &Self::height));
+  }
+};
+
+/// A board's pixels and states; the four states sum to the frame time exactly.
+struct BoardStatistics {
+  std::string name;
+  std::int64_t pixels = 0;
+  models::Duration compute{};
+  models::Duration wait_grant{};
+  models::Duration transfer{};
+  models::Duration idle{};
+
+  static constexpr auto fields() {
+    using Self = BoardStatistics;
+    return std::make_tuple(
+        field("name", "", "of the board", &Self::name),
+        field("pixels", "pixels", "synthesised and written", &Self::pixels),
+        field("compute_s", "s", "the processor works", &Self::compute),
+        field("wait_grant_s", "s", "the bus is requested and not granted", &Self::wait_grant),
+        field("transfer_s", "s", "the board is bus master", &Self::transfer),
+        field("idle_s", "s", "the board has no more pixels", &Self::idle));
+  }
+};
+
+/// How long one bus master waited for grants.
+struct MasterStatistics {
+  std::string name;
+  std::int64_t transfers = 0;
+  models::Duration wait{};
+  models::Duration wait_max{};
+
+  static constexpr auto fields() {
+    using Self = MasterStatistics;
+    return std::make_tuple(
+        field("name", "", "of the bus master", &Self::name),
+        field("transfers", "accesses", "during the frame", &Self::transfers),
+        field("wait_s", "s", "from request to grant, all accesses together", &Self::wait),
+        field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max));
+  }
+};
+
+struct BusStatistics {
+  std::int64_t transfers = 0;
+  models::Duration busy{};
+  double utilisation = 0;
+  models::Duration wait_mean{};
+  models::Duration wait_max{};
+  std::vector<MasterStatistics> masters;
+
+  static constexpr auto fields() {
+    using Self = BusStatistics;
+    return std::make_tuple(
+        field("transfers", "accesses", "by all masters during the frame", &Self::transfers),
+        field("busy_s", "s", "the bus has a master", &Self::busy),
+        field("utilisation", "1", "busy time over frame time", &Self::utilisation),
+        field("wait_mean_s", "s", "from request to grant, mean to the nearest picosecond",
+              &Self::wait_mean),
+        field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max),
+        field("masters", "", "who waited", &Self::masters));
+  }
+};
+
+/// Rays by kind (paper, section V.2.3.1.2).
+struct RayStatistics {
+  std::int64_t primary = 0;
+  std::int64_t reflected = 0;
+  std::int64_t refracted = 0;
+  std::int64_t shadow = 0;
+
+  static constexpr auto fields() {
+    using Self = RayStatistics;
+    return std::make_tuple(
+        field("primary", "rays", "from the eye", &Self::primary),
+        field("reflected", "rays", "off mirrors and smooth faces", &Self::reflected),
+        field("refracted", "rays", "into and out of transparent bodies", &Self::refracted),
+        field("shadow", "rays", "towards a light", &Self::shadow));
+  }
+};
+
+/// All that a run determines: equal inputs give equal statistics, on any host.
+struct Statistics {
+  FrameStatistics frame;
+  UsefulZone useful_zone;
+  std::vector<BoardStatistics> boards;
+  BusStatistics bus;
+  RayStatistics rays;
+  OperationCounts work{};
+  OperationCounts preprocess_work{};
+  bool partial = false;
+  std::string end_reason;
+
+  static constexpr auto fields() {
+    using Self = Statistics;
+    return std::make_tuple(
+        field("frame", "", "", &Self::frame), field("useful_zone", "", "", &Self::useful_zone),
+        field("boards", "", "in board order; states sum to the frame time", &Self::boards),
+        field("bus", "", "", &Self::bus), field("rays", "", "of all pixels", &Self::rays),
+        field("work", "operations", "of all pixels, per operation class", &Self::work),
+        field("preprocess_work", "operations", "of each board, per operation class",
+              &Self::preprocess_work),
+        field("partial", "", "whether the run ended before its last pixel", &Self::partial),
+        field("end_reason", "", "why the run ended", &Self::end_reason));
+  }
+};
+
+}  // namespace maquette::sim
