@@ -1,0 +1,45 @@
+#include "sim/report/manifest.hpp"
+
+#include <OpenImageIO/hash.h>
+#include <OpenImageIO/strutil.h>
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "sim/report/run_directory.hpp"
+
+namespace maquette::sim {
+
+InputFile hash_input(const std::string& path) {
+  const std::string content = read_file(path);
+  return {path, OIIO::Strutil::lower(OIIO::SHA1::digest(content.data(), content.size()))};
+}
+
+void measure_process(Manifest& manifest) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  manifest.processor_time_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  constexpr std::int64_t unit_bytes = 1024;  // of ru_maxrss on Linux
+  manifest.peak_memory_bytes = usage.ru_maxrss * unit_bytes;
+}
+
+std::string manifest_json(const Manifest& manifest) {
+  using Json = nlohmann::ordered_json;
+  Json inputs = Json::array();
+  for (const auto& input : manifest.inputs) {
+    inputs.push_back(Json{{"path", input.path}, {"sha1", input.sha1}});
+  }
+  const Json json{{"command", manifest.command},
+                  {"version", manifest.version},
+                  {"inputs", inputs},
+                  {"host_time_s", manifest.host_time_s},
+                  {"processor_time_s", manifest.processor_time_s},
+                  {"peak_memory_bytes", manifest.peak_memory_bytes}};
+  // Arguments may hold bytes that are not UTF-8: they are replaced, not refused.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "models/duration.hpp"
+
+namespace maquette::sim {
+
+/// One line of progress: simulated time, `fraction` of the work done (0..1) as a bar, simulated
+/// time per host time, host time left.
+std::string progress_line(models::Duration simulated, double fraction, double host_time_s);
+
+/// The progress bar of a run, on standard error while that is a terminal, and never in a result.
+class Progress {
+ public:
+  /// Stays silent unless `wanted` and standard error is a terminal.
+  explicit Progress(bool wanted);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+  Progress(Progress&&) = delete;
+  Progress& operator=(Progress&&) = delete;
+  ~Progress();  ///< clears the line
+
+  /// Call as often as convenient: the terminal is written ten times a second at most.
+  void show(models::Duration simulated, double fraction);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool active_;
+  bool shown_ = false;
+  Clock::time_point start_;
+  Clock::time_point next_;
+};
+
+}  // namespace maquette::sim

@@ -1,0 +1,113 @@
+#include "sim/report/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <vector>
+
+#include "sim/report/seconds.hpp"
+
+namespace maquette::sim {
+namespace {
+
+constexpr const char* k_paper_time = "7 min";
+constexpr std::size_t k_listed_operations = 8;
+
+double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
+
+std::string frame_lines(const Statistics& statistics) {
+  const auto& frame = statistics.frame;
+  const auto& zone = statistics.useful_zone;
+  const std::string ending = statistics.partial
+                                 ? fmt::format("  PARTIAL: {}", statistics.end_reason)
+                                 : fmt::format("  (the paper's photograph 4: {})", k_paper_time);
+  return fmt::format(
+      "frame time      {}{}\n"
+      "  loading       {}, before the frame\n"
+      "  preprocessing {}\n"
+      "  synthesis     {}\n"
+      "picture         {} x {}; {} of {} pixels synthesised, useful zone {} x {} at ({}, {})\n",
+      readable_duration(frame.time), ending, readable_duration(frame.load),
+      readable_duration(frame.preprocess), readable_duration(frame.synthesis), frame.width,
+      frame.height, frame.pixels_synthesised, frame.pixels_total, zone.width, zone.height,
+      zone.column, zone.row);
+}
+
+std::string board_lines(const Statistics& statistics) {
+  std::string text =
+      fmt::format("\n{:<12}{:>10}{:>12}{:>12}{:>12}{:>12}{:>10}\n", "board", "pixels", "compute s",
+                  "wait s", "transfer s", "idle s", "computes");
+  const double frame_time = in_seconds(statistics.frame.time);
+  for (const auto& board : statistics.boards) {
+    text += fmt::format("{:<12}{:>10}{:>12.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>9.2f}%\n", board.name,
+                        board.pixels, in_seconds(board.compute), in_seconds(board.wait_grant),
+                        in_seconds(board.transfer), in_seconds(board.idle),
+                        100 * ratio(in_seconds(board.compute), frame_time));
+  }
+  return text;
+}
+
+std::string bus_lines(const BusStatistics& bus) {
+  std::string text = fmt::format(
+      "\nbus             {} transfers, {:.3f} % busy; wait for grant: mean {}, longest {}\n",
+      bus.transfers, 100 * bus.utilisation, readable_duration(bus.wait_mean),
+      readable_duration(bus.wait_max));
+  for (const auto& master : bus.masters) {
+    text += fmt::format("  {:<14}waited {} in {} transfers, at most {}\n", master.name,
+                        readable_duration(master.wait), master.transfers,
+                        readable_duration(master.wait_max));
+  }
+  return text;
+}
+
+std::string ray_lines(const Statistics& statistics) {
+  const auto& rays = statistics.rays;
+  const auto pixels = static_cast<double>(statistics.frame.pixels_synthesised);
+  const auto total = rays.primary + rays.reflected + rays.refracted + rays.shadow;
+  std::string text = fmt::format("\n{:<12}{:>14}{:>12}\n", "rays", "number", "per pixel");
+  const auto line = [&text, pixels](const char* kind, std::int64_t count) {
+    text += fmt::format("{:<12}{:>14}{:>12.3f}\n", kind, count,
+                        ratio(static_cast<double>(count), pixels));
+  };
+  line("primary", rays.primary);
+  line("reflected", rays.reflected);
+  line("refracted", rays.refracted);
+  line("shadow", rays.shadow);
+  line("all", total);
+  return text;
+}
+
+std::string work_lines(const OperationCounts& work, const OperationClocks& clocks) {
+  std::vector<std::size_t> order(work.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&clocks](std::size_t first, std::size_t second) {
+    return clocks[first] > clocks[second];
+  });
+  order.resize(std::min(order.size(), k_listed_operations));
+
+  const double all_clocks = std::accumulate(clocks.begin(), clocks.end(), 0.0);
+  double listed_clocks = 0;
+  std::string text = fmt::format("\n{:<18}{:>14}{:>16}\n", "work", "number", "of the clocks");
+  for (const auto operation : order) {
+    listed_clocks += clocks[operation];
+    text += fmt::format("{:<18}{:>14}{:>15.2f}%\n", firmware::k_operation_names[operation],
+                        work[operation], 100 * ratio(clocks[operation], all_clocks));
+  }
+  text += fmt::format("{:<18}{:>14}{:>15.2f}%\n", "others", "",
+                      100 * ratio(all_clocks - listed_clocks, all_clocks));
+  return text;
+}
+
+}  // namespace
+
+std::string summarise(const Statistics& statistics, const OperationClocks& clocks,
+                      double host_time_s) {
+  return frame_lines(statistics) + board_lines(statistics) + bus_lines(statistics.bus) +
+         ray_lines(statistics) + work_lines(statistics.work, clocks) +
+         fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
+                     host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));
+}
+
+}  // namespace maquette::sim

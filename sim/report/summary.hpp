@@ -1,0 +1,19 @@
+#pragma once
+
+#include <array>
+#include <string>
+
+#include "sim/report/statistics.hpp"
+
+namespace maquette::sim {
+
+/// Clocks that the boards spent on each operation class, in the order of firmware::Operation.
+using OperationClocks = std::array<double, firmware::k_operation_count>;
+
+/// The text that a run prints at its end: frame time beside the seven minutes of the paper (section
+/// V, photograph 4), states of each board, bus, rays, the dearest operation classes, and the
+/// host's time (seconds of wall clock).
+std::string summarise(const Statistics& statistics, const OperationClocks& clocks,
+                      double host_time_s);
+
+}  // namespace maquette::sim

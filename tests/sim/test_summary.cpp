@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <sstream>
+
+#include "sim/report/summary.hpp"
+
+using maquette::firmware::Operation;
+using maquette::sim::OperationClocks;
+using maquette::sim::Statistics;
+using maquette::sim::summarise;
+using namespace std::chrono_literals;
+
+namespace {
+
+Statistics example() {
+  Statistics statistics;
+  statistics.frame.width = 768;
+  statistics.frame.height = 575;
+  statistics.frame.time = 422'480ms;
+  statistics.frame.pixels_total = 768 * 575;
+  statistics.frame.pixels_synthesised = 200'000;
+  for (const char* name : {"kvm02-0", "kvm02-1"}) {
+    statistics.boards.push_back({name, 100'000, 316'860ms, 1s, 2s, 102'620ms});
+  }
+  statistics.rays = {200'000, 50'000, 0, 400'000};
+  return statistics;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("the summary says what a user asks first") {
+  OperationClocks clocks{};
+  clocks[static_cast<int>(Operation::add)] = 1;
+  clocks[static_cast<int>(Operation::multiply)] = 3;
+  const std::string text = summarise(example(), clocks, 2.0);
+  CHECK(contains(text, "7 min 02.5 s  (the paper's photograph 4: 7 min)"));
+  CHECK(contains(text, "200000 of 441600 pixels"));
+  CHECK(contains(text, "75.00%"));
+  CHECK(contains(text, "25.00%"));
+  CHECK(text.find("\nmultiply ") < text.find("\nadd "));
+  CHECK(contains(text, "shadow              400000       2.000"));
+  CHECK(contains(text, "211 times faster than the machine"));
+  CHECK_FALSE(contains(text, "PARTIAL"));
+}
+
+TEST_CASE("the lines of the board table are aligned") {
+  std::istringstream lines(summarise(example(), {}, 1.0));
+  std::vector<std::size_t> lengths;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("board", 0) == 0 || line.rfind("kvm02", 0) == 0) {
+      lengths.push_back(line.size());
+    }
+  }
+  REQUIRE(lengths.size() == 3);
+  CHECK(std::count(lengths.begin(), lengths.end(), lengths.front()) == 3);
+}
+
+TEST_CASE("a partial run says why it ended, and an empty one has no figure that is no number") {
+  Statistics statistics = example();
+  statistics.partial = true;
+  statistics.end_reason = "interrupted";
+  CHECK(contains(summarise(statistics, {}, 1.0), "PARTIAL: interrupted"));
+  const std::string empty = summarise({}, {}, 0.0);
+  CHECK_FALSE(contains(empty, "nan"));
+  CHECK_FALSE(contains(empty, "inf"));
+}
