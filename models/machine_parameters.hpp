@@ -10,8 +10,8 @@ namespace maquette::models {
 /// Which master the arbiter of the bus prefers among those of the same instant.
 enum class ArbitrationPolicy { priority, round_robin };
 
-/// When a master gives the bus back (VM02 data sheet p. 2-53/54): after each access ("indirect"), or
-/// at the end of its block of words ("direct"), earlier when BCLR is raised by a higher level.
+/// When a master gives the bus back (VM02 data sheet p. 2-53/54): after each access ("indirect"),
+/// or at the end of its block of words ("direct"), earlier when BCLR is raised by a higher level.
 enum class ReleasePolicy { each_access, block };
 
 /// When a board writes its pixels: each as soon as it is known, or a line of its pixels together.
@@ -22,12 +22,12 @@ enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles };
 
 /// The VERSAbus backplane with its arbiter.
 struct VersaBusParameters {
-  int data_width_bits = 16;                               ///< 16 or 32
-  double clock_hz = 8e6;                                  ///< in which the clocks below are stated
-  Clocks arbitration_clocks = 4;                          ///< bus free and requested, to grant
-  Clocks handover_clocks = 1;                             ///< added when the master changes
+  int data_width_bits = 16;       ///< 16 or 32
+  double clock_hz = 8e6;          ///< in which the clocks below are stated
+  Clocks arbitration_clocks = 4;  ///< bus free and requested, to grant
+  Clocks handover_clocks = 1;     ///< added when the master changes
   ArbitrationPolicy arbitration = ArbitrationPolicy::priority;
-  Duration timeout{64'000'000};                           ///< of one access; 0 is off
+  Duration timeout{64'000'000};  ///< of one access; 0 is off
 };
 
 /// Where a master sits on the bus.
@@ -40,16 +40,17 @@ struct BusMasterPlace {
 struct Kvm02Parameters {
   double clock_hz = 8e6;
   ArithmeticCosts arithmetic;
-  OperationCost call_overhead{68, 13, 4};  ///< added to every call of the arithmetic package
+  /// Added to every call of the arithmetic package: JSR, one operand loaded, the result stored.
+  OperationCost call_overhead{52, 9, 4};
   std::int64_t ram_bytes = 128 * 1024;
   Clocks ram_read_wait_clocks = 2;
   Clocks ram_write_wait_clocks = 1;
-  Duration refresh_period{15'000'000};     ///< one RAM cycle is stolen per period; 0 is off
-  Clocks refresh_clocks = 4;               ///< what the stolen cycle costs
-  Clocks access_clocks = 5;                ///< off-board access of a fast slave, bus held
-  Duration access_slack{70'000};           ///< slave access time that costs no extra clock
-  Clocks word_gap_clocks = 6;              ///< between the end of one word's access and the next
-  Duration dual_port_access{625'000};      ///< of its own RAM, seen from the bus
+  Duration refresh_period{15'000'000};  ///< one RAM cycle is stolen per period; 0 is off
+  Clocks refresh_clocks = 4;            ///< what the stolen cycle costs
+  Clocks access_clocks = 5;             ///< off-board access of a fast slave, bus held
+  Duration access_slack{70'000};        ///< slave access time that costs no extra clock
+  Clocks word_gap_clocks = 6;           ///< between the end of one word's access and the next
+  Duration dual_port_access{625'000};   ///< of its own RAM, seen from the bus
   ReleasePolicy release = ReleasePolicy::each_access;
   PixelWrite pixel_write = PixelWrite::pixel;
 };
@@ -61,10 +62,10 @@ struct FrameMemoryParameters {
   int red_bits = 8;
   int green_bits = 8;
   int blue_bits = 8;
-  Duration access_time{250'000};       ///< data strobe to acknowledge, no video conflict
-  bool video_priority = true;          ///< the video reader's slots delay the bus port
-  int video_slot_pixels = 16;          ///< pixels fetched by one video slot
-  Duration video_slot_time{400'000};   ///< how long a slot keeps the memory
+  Duration access_time{250'000};      ///< data strobe to acknowledge, no video conflict
+  bool video_priority = true;         ///< the video reader's slots delay the bus port
+  int video_slot_pixels = 16;         ///< pixels fetched by one video slot
+  Duration video_slot_time{400'000};  ///< how long a slot keeps the memory
 };
 
 /// The video standard that the video reader follows.
@@ -73,9 +74,9 @@ struct VideoParameters {
   int frames_per_s = 25;
   bool interlaced = true;
   double pixel_clock_hz = 14.75e6;
-  int first_active_line_field_1 = 23;   ///< line numbers from 1
+  int first_active_line_field_1 = 23;  ///< line numbers from 1
   int first_active_line_field_2 = 336;
-  Duration line_blanking{10'500'000};   ///< line start to first active pixel
+  Duration line_blanking{10'500'000};  ///< line start to first active pixel
 };
 
 /// The EXORmacs host that writes code and database into the boards' RAM before the frame.

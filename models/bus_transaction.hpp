@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <tlm>
+#include <vector>
+
+#include "models/instant.hpp"
+
+namespace maquette::models {
+
+/// Extension of a master's payload, which is a burst of accesses of the bus's data width. A payload
+/// without it is a burst without gaps, released after each access. It belongs to the master.
+struct BusTransaction : tlm::tlm_extension<BusTransaction> {
+  // What the master asks.
+  Duration gap{};           ///< from the end of one access to the request of the next
+  bool block = false;       ///< the bus is kept from the first access to the last
+  bool runs_ahead = false;  ///< promise: the master posts its next transaction, or retires, in the
+                            ///< kernel instant in which this one ends (the bus saves a wake-up)
+  std::vector<std::uint64_t> addresses;  ///< of the accesses; empty when they are consecutive
+
+  // What the bus answers.
+  std::int64_t accesses = 0;
+  Duration waited{};                 ///< requests to grants
+  Duration transferred{};            ///< grants to releases
+  Duration longest_wait{};           ///< of one access
+  Instant longest_wait_request{};    ///< when that access was requested
+  std::uint64_t failed_address = 0;  ///< of the access that ended in a bus error, if one did
+
+  [[nodiscard]] tlm_extension_base* clone() const override { return new BusTransaction(*this); }
+  void copy_from(const tlm_extension_base& other) override {
+    *this = static_cast<const BusTransaction&>(other);
+  }
+  void free() override {}  // not the payload's: the master keeps it
+};
+
+/// Extension of the payload of one access, as a slave sees it: the exact instant of its data
+/// strobe. The kernel may be a tick past it, which the unsigned TLM delay cannot say.
+struct BusStrobe : tlm::tlm_extension<BusStrobe> {
+  Instant instant{};
+
+  [[nodiscard]] tlm_extension_base* clone() const override { return new BusStrobe(*this); }
+  void copy_from(const tlm_extension_base& other) override {
+    *this = static_cast<const BusStrobe&>(other);
+  }
+  void free() override {}  // not the payload's: the bus keeps it
+};
+
+}  // namespace maquette::models

@@ -1,0 +1,123 @@
+#include "models/ccett_machine.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "models/kernel_time.hpp"
+
+namespace maquette::models {
+
+namespace {
+
+constexpr std::uint64_t k_least_block = 0x40000;
+constexpr std::uint64_t k_least_frame_base = 0x800000;
+
+// The kernel only renames the second one, with a warning.
+const sc_core::sc_module_name& with_unique_names(const sc_core::sc_module_name& name) {
+  sc_core::sc_report_handler::set_actions(sc_core::SC_ID_INSTANCE_EXISTS_, sc_core::SC_THROW);
+  return name;
+}
+
+std::uint64_t ram_block(const Kvm02Parameters& board) {
+  std::uint64_t block = k_least_block;
+  while (block < static_cast<std::uint64_t>(board.ram_bytes)) {
+    block *= 2;
+  }
+  return block;
+}
+
+void check(const MachineParameters& parameters, const FrameSetup& setup) {
+  if (parameters.boards.empty()) {
+    throw std::invalid_argument("a machine must have at least one board");
+  }
+  const PixelRectangle& zone = setup.useful_zone;
+  if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
+      zone.column0 + zone.width > parameters.frame_memory.width ||
+      zone.row0 + zone.height > parameters.frame_memory.height) {
+    throw std::invalid_argument("the useful zone must lie within the frame memory");
+  }
+  if (!setup.images.empty() && setup.images.size() != parameters.boards.size()) {
+    throw std::invalid_argument("there must be one image per board");
+  }
+  for (const auto& image : setup.images) {
+    if (image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
+      throw std::invalid_argument("a board's image is larger than its RAM");
+    }
+  }
+}
+
+}  // namespace
+
+CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
+                           PixelSource& source, const FrameSetup& setup)
+    : sc_module(with_unique_names(name)),
+      zone_(setup.useful_zone),
+      start_("start"),
+      timing_(parameters.video, parameters.frame_memory.width, parameters.frame_memory.height),
+      bus_("bus", parameters.bus),
+      frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
+                    setup.keep_log) {
+  check(parameters, setup);
+  const std::uint64_t block = ram_block(parameters.board);
+  const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
+  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width};
+  bus_.attach_slave(frame_memory_.bus_port,
+                    {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
+
+  std::vector<BoardImage> images;
+  for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
+    const std::uint64_t ram_base = block * (index + 1);
+    boards_.push_back(std::make_unique<Kvm02>(
+        ("board" + std::to_string(index)).c_str(), static_cast<int>(index), parameters.board,
+        parameters.boards[index], bus_, ram_base, frame, source, start_));
+    images.push_back({boards_.back()->master(), ram_base,
+                      setup.images.empty() ? std::vector<unsigned char>{} : setup.images[index]});
+  }
+  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, bus_, std::move(images),
+                                 start_);
+}
+
+std::optional<Instant> CcettMachine::finished() const {
+  Instant last{};
+  for (const auto& board : boards_) {
+    const std::optional<Instant> finished = board->finished();
+    if (!finished) {
+      return std::nullopt;
+    }
+    last = std::max(last, *finished);
+  }
+  return last;
+}
+
+MachineStatistics CcettMachine::statistics() const {
+  MachineStatistics statistics;
+  const std::optional<Instant> finish = finished();
+  const Instant end = finish.value_or(kernel_now());
+  statistics.has_finished = finish.has_value();
+  statistics.host = host_->statistics();
+  statistics.load_time = statistics.host.finished.value_or(end);
+  statistics.frame_time = end - statistics.load_time;
+  for (const auto& board : boards_) {
+    statistics.boards.push_back(board->statistics(end));
+  }
+  statistics.bus = bus_.statistics();
+  return statistics;
+}
+
+void CcettMachine::verify_frame() const {
+  for (int row = 0; row < timing_.height(); ++row) {
+    for (int column = 0; column < timing_.width(); ++column) {
+      const bool useful = column >= zone_.column0 && column < zone_.column0 + zone_.width &&
+                          row >= zone_.row0 && row < zone_.row0 + zone_.height;
+      if (useful ? !frame_memory_.written_once(column, row)
+                 : !frame_memory_.untouched(column, row)) {
+        throw std::logic_error(
+            "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ") was " +
+            (useful ? "not written exactly once" : "written outside the useful zone"));
+      }
+    }
+  }
+}
+
+}  // namespace maquette::models

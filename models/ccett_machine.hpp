@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "models/allotment.hpp"
+#include "models/frame_memory.hpp"
+#include "models/host.hpp"
+#include "models/kvm02.hpp"
+#include "models/machine_parameters.hpp"
+#include "models/pixel_source.hpp"
+#include "models/versabus.hpp"
+#include "models/video_timing.hpp"
+
+namespace maquette::models {
+
+/// What a frame is made of, besides the machine and its pixels.
+struct FrameSetup {
+  PixelRectangle useful_zone;    ///< every pixel of it is written once, no other is
+  std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
+  std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
+  bool keep_log = false;                           ///< of the writes, for pictures at an instant
+};
+
+/// Figures of a whole run, exact in ticks.
+struct MachineStatistics {
+  bool has_finished = false;            ///< all boards are done
+  Duration load_time{};                 ///< from instant 0: the host writes the images
+  Duration frame_time{};                ///< from the boards' start to the last one's end
+  std::vector<BoardStatistics> boards;  ///< each one's states sum to frame_time
+  BusStatistics bus;                    ///< masters in the order of the bus: boards, then host
+  HostStatistics host;
+};
+
+/// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus. Elaborated by its
+/// constructor; a plain `sc_start` runs it until all boards are done, since nothing in it is
+/// periodic.
+///
+/// Address map: each board's RAM has its own block of 256 Kbyte (VM02 data sheet p. 2-53), or of
+/// the next power of two for a larger RAM, board 0 from the second block on; the frame memory
+/// follows from 8 Mbyte on, or after the boards when there are too many. Assumption: addresses may
+/// grow beyond the KVM02's 24 bits (the bus has up to 32).
+class CcettMachine : public sc_core::sc_module {
+ public:
+  /// `source` is kept by reference and has one pixel sequence per board. From here on a duplicate
+  /// module name is an error. Throws std::invalid_argument for parameters that make no machine, or
+  /// images that do not fit the boards.
+  CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
+               PixelSource& source, const FrameSetup& setup);
+
+  /// Exact for a machine that has finished, also on a kernel that ran longer; of a run that was
+  /// interrupted, up to the kernel's present instant.
+  [[nodiscard]] MachineStatistics statistics() const;
+
+  /// Asserts that each pixel of the useful zone has been written exactly once and no other pixel at
+  /// all. Throws std::logic_error that names the first pixel that breaks it.
+  void verify_frame() const;
+
+  /// When the last board was done, if all are.
+  [[nodiscard]] std::optional<Instant> finished() const;
+
+  void observe_bus(std::function<void(const BusAccess&)> observer) {
+    bus_.observe(std::move(observer));
+  }
+  [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
+  [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
+  [[nodiscard]] const VersaBus& bus() const { return bus_; }
+
+ private:
+  PixelRectangle zone_;
+  sc_core::sc_event start_;  // of the boards, by the host
+  VideoTiming timing_;
+  VersaBus bus_;
+  FrameMemory frame_memory_;
+  std::vector<std::unique_ptr<Kvm02>> boards_;
+  std::unique_ptr<Host> host_;
+};
+
+}  // namespace maquette::models

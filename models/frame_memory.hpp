@@ -1,0 +1,79 @@
+#pragma once
+
+#include <tlm_utils/simple_target_socket.h>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <tlm>
+#include <vector>
+
+#include "models/instant.hpp"
+#include "models/machine_parameters.hpp"
+#include "models/picture.hpp"
+#include "models/video_slots.hpp"
+#include "models/video_timing.hpp"
+
+namespace maquette::models {
+
+/// One write into the frame memory: when it was done, and what the pixel was from then on.
+struct PixelWriteRecord {
+  Instant instant;
+  std::uint32_t pixel;  ///< in row-major order
+  std::uint32_t rgb;    ///< as read_pixel gives it
+};
+
+/// The frame memory: planes of red, green and blue bits, a bus port and a video port.
+///
+/// On the bus, pixel p of the row-major order is the four bytes from 4 p on: red, green, blue, and
+/// one that does not exist (written to no effect, read as zero). A plane of n bits keeps the top n
+/// of a component's 8; the video port shows full code as full scale.
+///
+/// Assumption: before the frame the video port clears the memory to the background during one
+/// field, at no cost to the boards. A write is done at the end of its memory access.
+class FrameMemory : public sc_core::sc_module {
+ public:
+  static constexpr unsigned k_pixel_bytes = 4;
+
+  /// Throws std::invalid_argument for plane widths outside 1..8 bits, and as VideoTiming and
+  /// VideoSlots. `background` is 0xRRGGBB. `keep_log` remembers every write.
+  FrameMemory(const sc_core::sc_module_name& name, const FrameMemoryParameters& parameters,
+              const VideoTiming& timing, std::uint32_t background, bool keep_log);
+
+  tlm_utils::simple_target_socket<FrameMemory> bus_port;
+
+  [[nodiscard]] std::uint64_t size_bytes() const { return stored_.size() * k_pixel_bytes; }
+
+  /// What the memory holds at the end.
+  [[nodiscard]] Picture picture() const;
+
+  /// What it held at `instant`. Throws std::logic_error when no log was kept.
+  [[nodiscard]] Picture picture_at(Instant instant) const;
+
+  /// What it held before the first write.
+  [[nodiscard]] Picture background() const;
+
+  /// Every write in the order of time. Throws std::logic_error when no log was kept.
+  [[nodiscard]] const std::vector<PixelWriteRecord>& log() const;
+
+  /// Whether every byte of the pixel has been written exactly once / not at all.
+  [[nodiscard]] bool written_once(int column, int row) const;
+  [[nodiscard]] bool untouched(int column, int row) const;
+
+ private:
+  void b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
+  unsigned transport_dbg(tlm::tlm_generic_payload& payload);
+  [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;
+  void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
+  void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;
+  [[nodiscard]] std::uint32_t shown(std::uint32_t stored) const;
+
+  FrameMemoryParameters parameters_;
+  std::optional<VideoSlots> slots_;
+  std::uint32_t plane_mask_;
+  std::uint32_t background_;
+  std::vector<std::uint32_t> stored_;       // 0xRRGGBB, bits without a plane zero
+  std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
+  std::optional<std::vector<PixelWriteRecord>> log_;
+};
+
+}  // namespace maquette::models

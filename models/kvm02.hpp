@@ -1,0 +1,102 @@
+#pragma once
+
+#include <tlm_utils/simple_initiator_socket.h>
+#include <tlm_utils/simple_target_socket.h>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <tlm>
+#include <vector>
+
+#include "models/bus_transaction.hpp"
+#include "models/instant.hpp"
+#include "models/machine_parameters.hpp"
+#include "models/pixel_source.hpp"
+#include "models/versabus.hpp"
+#include "models/work_cost.hpp"
+#include "models/work_totals.hpp"
+
+namespace maquette::models {
+
+/// Where boards find the frame memory: bus address of its first byte, pixels per row.
+struct FrameWindow {
+  std::uint64_t base;
+  int width;
+};
+
+/// What a board did with its time. The four states sum to the time from the start of the frame to
+/// the instant for which they were asked.
+struct BoardStatistics {
+  Duration compute{};        ///< preprocessing, synthesis, and its own clocks between two words
+  Duration wait_grant{};     ///< bus requested, not granted
+  Duration transfer{};       ///< bus granted, until released
+  Duration idle{};           ///< after its last pixel
+  Duration preprocessing{};  ///< of `compute`
+  Duration longest_wait{};   ///< for one grant
+  Instant longest_wait_request{};
+  std::optional<Instant> finished;  ///< end of its last work, when it has ended
+  std::int64_t pixels = 0;
+  std::int64_t words = 0;
+  WorkTotals work;  ///< of its pixels
+};
+
+/// A KVM02 board (M68KVM02): a processor that spends the time of its work and writes its pixels as
+/// a bus master, and 128 KiB of RAM with a second port on the bus.
+///
+/// It runs ahead of the kernel on its private memory: the kernel sees only its bus transactions.
+/// Assumption: nobody uses the second port while the board computes, so the two do not conflict.
+class Kvm02 : public sc_core::sc_module {
+ public:
+  /// Attaches the board to `bus` as a master at `place` and as a slave at `ram_base`. The board
+  /// takes pixels of `source` as number `index` once `start` is notified; all are kept by
+  /// reference.
+  Kvm02(const sc_core::sc_module_name& name, int index, const Kvm02Parameters& parameters,
+        const BusMasterPlace& place, VersaBus& bus, std::uint64_t ram_base,
+        const FrameWindow& frame, PixelSource& source, const sc_core::sc_event& start);
+
+  tlm_utils::simple_initiator_socket<Kvm02> bus_master;
+  tlm_utils::simple_target_socket<Kvm02> ram_port;
+
+  [[nodiscard]] int master() const { return master_; }
+
+  /// When it ended its last work, if it has.
+  [[nodiscard]] std::optional<Instant> finished() const { return statistics_.finished; }
+
+  /// States from the start of the frame up to `instant`, not before the board's finish if it has
+  /// finished. A board that has not finished counts as computing until its next request and as
+  /// waiting from then on.
+  [[nodiscard]] BoardStatistics statistics(Instant instant) const;
+
+ private:
+  void run();
+  void take(const SynthesizedPixel& pixel);
+  void append(const SynthesizedPixel& pixel);
+  void write_pixels();
+  void finish();
+
+  void access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
+  unsigned debug_ram(tlm::tlm_generic_payload& payload);
+
+  int index_;
+  Kvm02Parameters parameters_;
+  WorkCost cost_;
+  Duration word_gap_;
+  VersaBus& bus_;
+  FrameWindow frame_;
+  PixelSource& source_;
+  const sc_core::sc_event& start_;
+  int master_;
+  std::vector<unsigned char> ram_;
+
+  Instant accounted_{};   // up to here the states are known
+  Duration computing_{};  // since then, before the next request
+  int row_ = 0;           // of the pixels that wait to be written
+  std::vector<unsigned char> bytes_;
+  tlm::tlm_generic_payload payload_;
+  BusTransaction transaction_;
+  bool started_ = false;
+  Instant started_at_{};
+  BoardStatistics statistics_;
+};
+
+}  // namespace maquette::models

@@ -1,0 +1,363 @@
+#include "models/versabus.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "models/kernel_time.hpp"
+
+namespace maquette::models {
+
+namespace {
+
+constexpr int k_levels = 5;
+constexpr int k_bits_per_byte = 8;
+constexpr const char* k_report = "/maquette/versabus";
+
+// Throws out of the kernel's run.
+void fail(const std::string& what) { SC_REPORT_ERROR(k_report, what.c_str()); }
+
+void check(const VersaBusParameters& parameters) {
+  const int width = parameters.data_width_bits;
+  if (width != 16 && width != 32) {
+    throw std::invalid_argument("the data width of a VERSAbus is 16 or 32 bits");
+  }
+  if (parameters.arbitration_clocks < 0 || parameters.handover_clocks < 0 ||
+      parameters.timeout < Duration::zero()) {
+    throw std::invalid_argument("times of a VERSAbus must not be negative");
+  }
+}
+
+}  // namespace
+
+VersaBus::VersaBus(const sc_core::sc_module_name& name, const VersaBusParameters& parameters)
+    : sc_module(name),
+      master_sockets_("master_sockets"),
+      slave_sockets_("slave_sockets"),
+      policy_(parameters.arbitration),
+      word_bytes_(static_cast<unsigned>(parameters.data_width_bits / k_bits_per_byte)),
+      timeout_(parameters.timeout),
+      wake_("wake") {
+  check(parameters);
+  const Period clock = Period::of_frequency(parameters.clock_hz);
+  arbitration_ = clock.times(parameters.arbitration_clocks);
+  arbitration_and_handover_ =
+      clock.times(parameters.arbitration_clocks + parameters.handover_clocks);
+  master_sockets_.register_b_transport(this, &VersaBus::b_transport);
+  master_sockets_.register_transport_dbg(this, &VersaBus::transport_dbg);
+  SC_HAS_PROCESS(VersaBus);
+  SC_METHOD(advance);
+  sensitive << wake_;
+  dont_initialize();
+}
+
+int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusMaster& master) {
+  if (master.place.level < 0 || master.place.level >= k_levels) {
+    throw std::invalid_argument("master " + master.name + " must have a level from 0 to 4");
+  }
+  for (const auto& other : masters_) {
+    const BusMasterPlace& place = other->description.place;
+    if (place.level == master.place.level && place.position == master.place.position) {
+      throw std::invalid_argument("master " + master.name + " has the place of master " +
+                                  other->description.name);
+    }
+  }
+  if (master.access.access_clocks < 1) {
+    throw std::invalid_argument("an access of master " + master.name + " must take a clock");
+  }
+  socket.bind(master_sockets_);
+  masters_.push_back(std::make_unique<Master>(master));
+  Master& added = *masters_.back();
+  added.access.set_extension(&added.strobe);
+  added.access.set_byte_enable_ptr(nullptr);
+  requests_.push_back(k_never);
+  ++computing_;
+  ++unpromised_;
+  statistics_.masters.emplace_back();
+  statistics_.waited_for.emplace_back();
+  for (auto& row : statistics_.waited_for) {
+    row.resize(masters_.size());
+  }
+  return static_cast<int>(masters_.size()) - 1;
+}
+
+void VersaBus::attach_slave(tlm::tlm_base_target_socket<>& socket, const AddressRange& range) {
+  address_map_.add(range);
+  slave_sockets_.bind(socket);
+}
+
+const std::string& VersaBus::master_name(int master) const {
+  return masters_[static_cast<std::size_t>(master)]->description.name;
+}
+
+// ---- masters come and go ----
+
+void VersaBus::b_transport(int id, tlm::tlm_generic_payload& burst, sc_core::sc_time& delay) {
+  post(id, burst, kernel_now() + to_duration(delay));
+  advance();
+  sc_core::wait(at(id).completed);
+  delay = sc_core::SC_ZERO_TIME;
+}
+
+unsigned VersaBus::transport_dbg(int /*id*/, tlm::tlm_generic_payload& payload) {
+  const std::uint64_t address = payload.get_address();
+  const int slave = address_map_.find(address);
+  if (slave == AddressMap::k_unmapped) {
+    payload.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
+    return 0;
+  }
+  payload.set_address(address - address_map_[slave].base);
+  const unsigned bytes = slave_sockets_[slave]->transport_dbg(payload);
+  payload.set_address(address);
+  return bytes;
+}
+
+void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
+  Master& master = at(id);
+  if (burst.get_data_length() == 0 || burst.get_data_length() % word_bytes_ != 0) {
+    fail("a burst of " + master.description.name + " is not a whole number of bus words");
+  }
+  leave_computing(id, State::requesting);
+  auto* transaction = burst.get_extension<BusTransaction>();
+  master.transaction = transaction != nullptr ? transaction : &master.plain;
+  master.burst = &burst;
+  master.accesses = static_cast<std::int64_t>(burst.get_data_length() / word_bytes_);
+  master.transaction->accesses = 0;
+  master.transaction->waited = master.transaction->transferred = Duration::zero();
+  master.transaction->longest_wait = Duration::zero();
+  if (const auto given = static_cast<std::int64_t>(master.transaction->addresses.size());
+      given != 0 && given != master.accesses) {
+    fail("a burst of " + master.description.name + " needs one address per access");
+  }
+  burst.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  requests_[static_cast<std::size_t>(id)] = request;
+  if (request < free_at_) {  // into an access that was decided before the request was known
+    statistics_.waited_for[static_cast<std::size_t>(id)][static_cast<std::size_t>(previous_)] +=
+        free_at_ - request;
+  }
+}
+
+void VersaBus::leave_computing(int id, State next) {
+  Master& master = at(id);
+  if (master.state != State::computing) {
+    fail("master " + master.description.name + " is retired or has a transaction already");
+  }
+  if (master.promised && master.completed_at != kernel_now()) {
+    fail("master " + master.description.name + " broke its promise to run ahead");
+  }
+  master.state = next;
+  --computing_;
+  unpromised_ -= master.promised ? 0 : 1;
+  master.promised = false;
+}
+
+void VersaBus::retire(int master) {
+  leave_computing(master, State::retired);
+  advance();
+}
+
+void VersaBus::activate(int master) {
+  if (at(master).state != State::retired) {
+    fail("only a retired master can be activated");
+  }
+  if (last_decision_ >= kernel_now()) {
+    fail("the bus has run ahead of the activation of a master");
+  }
+  at(master).state = State::computing;
+  ++computing_;
+  ++unpromised_;
+}
+
+// ---- the bus's own time ----
+
+void VersaBus::advance() {
+  const Instant now = kernel_now();
+  for (Instant next = next_decision(); next != k_never; next = next_decision()) {
+    if (computing_ > 0 && next >= now) {
+      if (unpromised_ > 0) {
+        wake_.notify(to_sc_time(next + k_tick - now));
+      }
+      return;
+    }
+    decide(next);
+  }
+}
+
+Instant VersaBus::next_decision() const {
+  if (holder_ != k_nobody) {
+    return std::min(requests_[static_cast<std::size_t>(holder_)], earliest_clear_request());
+  }
+  const auto earliest = std::min_element(requests_.begin(), requests_.end());
+  return earliest == requests_.end() ? k_never : std::max(*earliest, free_at_);
+}
+
+Instant VersaBus::earliest_clear_request() const {
+  Instant earliest = k_never;
+  if (policy_ == ArbitrationPolicy::priority) {
+    const int level = masters_[static_cast<std::size_t>(holder_)]->description.place.level;
+    for (std::size_t id = 0; id < requests_.size(); ++id) {
+      if (masters_[id]->description.place.level > level) {
+        earliest = std::min(earliest, std::max(requests_[id], free_at_));
+      }
+    }
+  }
+  return earliest;
+}
+
+void VersaBus::decide(Instant instant) {
+  if (instant < last_decision_ || instant < free_at_) {
+    fail("bus time runs backwards");
+  }
+  last_decision_ = instant;
+  if (holder_ != k_nobody) {
+    const int holder = holder_;
+    statistics_.masters[static_cast<std::size_t>(holder)].held += instant - free_at_;
+    occupy(holder, free_at_, instant);
+    if (earliest_clear_request() > instant) {
+      transfer(holder, instant, instant);
+      return;
+    }
+    holder_ = k_nobody;
+    free_at_ = instant;
+  }
+  const int winner = arbitrate(instant);
+  const bool handover = previous_ != k_nobody && previous_ != winner;
+  transfer(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_));
+}
+
+int VersaBus::arbitrate(Instant instant) {
+  contenders_.clear();
+  for (std::size_t id = 0; id < requests_.size(); ++id) {
+    if (requests_[id] <= instant) {
+      contenders_.push_back({static_cast<int>(id), masters_[id]->description.place});
+    }
+  }
+  return contenders_.size() == 1 ? contenders_.front().master
+                                 : choose(policy_, contenders_, previous_);
+}
+
+// ---- one access ----
+
+std::uint64_t VersaBus::next_address(const Master& master) const {
+  const auto& transaction = *master.transaction;
+  const auto index = static_cast<std::uint64_t>(transaction.accesses);
+  return transaction.addresses.empty() ? master.burst->get_address() + index * word_bytes_
+                                       : transaction.addresses[index];
+}
+
+void VersaBus::transfer(int id, Instant decision, Instant grant) {
+  Master& master = at(id);
+  const std::uint64_t address = next_address(master);
+  const AccessResult result = access_slave(master, address, grant);
+  const BusAccess access{id,
+                         address,
+                         master.burst->is_write(),
+                         requests_[static_cast<std::size_t>(id)],
+                         grant,
+                         grant + result.duration};
+  if (access.request > decision || decision > grant || grant >= access.end) {
+    fail("an access of master " + master.description.name + " runs backwards");
+  }
+  occupy(id, decision, access.end);
+  record(id, access, decision);
+  free_at_ = access.end;
+  previous_ = id;
+  finish_access(id, address, access.end, result.status);
+}
+
+VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t address,
+                                              Instant strobe) {
+  const Duration unanswered =
+      timeout_ > Duration::zero() ? timeout_ : master.description.access.duration({});
+  const int slave = address_map_.find(address);
+  if (slave == AddressMap::k_unmapped) {
+    return {unanswered, tlm::TLM_ADDRESS_ERROR_RESPONSE};
+  }
+  tlm::tlm_generic_payload& access = master.access;
+  access.set_command(master.burst->get_command());
+  access.set_address(address - address_map_[slave].base);
+  access.set_data_ptr(master.burst->get_data_ptr() +
+                      static_cast<std::size_t>(master.transaction->accesses) * word_bytes_);
+  access.set_data_length(word_bytes_);
+  access.set_streaming_width(word_bytes_);
+  access.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  master.strobe.instant = strobe;
+
+  const Duration offset = std::max(strobe - kernel_now(), Duration::zero());
+  sc_core::sc_time delay = to_sc_time(offset);
+  slave_sockets_[slave]->b_transport(access, delay);
+  const Duration slave_time = to_duration(delay) - offset;
+  if (timeout_ > Duration::zero() && slave_time > timeout_) {
+    return {timeout_, tlm::TLM_GENERIC_ERROR_RESPONSE};
+  }
+  return {master.description.access.duration(slave_time), access.get_response_status()};
+}
+
+void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
+                             tlm::tlm_response_status status) {
+  Master& master = at(id);
+  BusTransaction& transaction = *master.transaction;
+  ++transaction.accesses;
+  holder_ = k_nobody;
+  if (status != tlm::TLM_OK_RESPONSE) {
+    ++statistics_.masters[static_cast<std::size_t>(id)].errors;
+    transaction.failed_address = address;
+    complete(id, end, status);
+  } else if (transaction.accesses == master.accesses) {
+    complete(id, end, status);
+  } else {
+    holder_ = transaction.block ? id : k_nobody;
+    requests_[static_cast<std::size_t>(id)] = end + transaction.gap;
+  }
+}
+
+void VersaBus::complete(int id, Instant end, tlm::tlm_response_status status) {
+  Master& master = at(id);
+  master.burst->set_response_status(status);
+  master.state = State::computing;
+  master.promised = master.transaction->runs_ahead;
+  master.completed_at = end;
+  ++computing_;
+  unpromised_ += master.promised ? 0 : 1;
+  requests_[static_cast<std::size_t>(id)] = k_never;
+  master.completed.notify(to_sc_time(end - kernel_now()));
+}
+
+// ---- what is counted ----
+
+void VersaBus::occupy(int id, Instant from, Instant to) {
+  for (std::size_t other = 0; other < requests_.size(); ++other) {
+    if (requests_[other] < to && static_cast<int>(other) != id) {
+      statistics_.waited_for[other][static_cast<std::size_t>(id)] +=
+          to - std::max(requests_[other], from);
+    }
+  }
+}
+
+void VersaBus::record(int id, const BusAccess& access, Instant decision) {
+  const auto index = static_cast<std::size_t>(id);
+  const Duration wait = access.grant - access.request;
+  const Duration busy = access.end - access.grant;
+  BusTransaction& transaction = *at(id).transaction;
+  transaction.waited += wait;
+  transaction.transferred += busy;
+  if (wait > transaction.longest_wait) {
+    transaction.longest_wait = wait;
+    transaction.longest_wait_request = access.request;
+  }
+  BusMasterStatistics& master = statistics_.masters[index];
+  ++master.transfers;
+  master.delayed += decision > access.request ? 1 : 0;
+  master.busy += busy;
+  master.arbitration += access.grant - decision;
+  master.waited += wait;
+  if (wait > master.longest_wait) {
+    master.longest_wait = wait;
+    master.longest_wait_request = access.request;
+  }
+  statistics_.waited_for[index][index] += access.grant - decision;
+  if (observer_) {
+    observer_(access);
+  }
+}
+
+}  // namespace maquette::models

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <tlm_utils/multi_passthrough_initiator_socket.h>
+#include <tlm_utils/multi_passthrough_target_socket.h>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <systemc>
+#include <tlm>
+#include <vector>
+
+#include "models/access_law.hpp"
+#include "models/address_map.hpp"
+#include "models/arbitration.hpp"
+#include "models/bus_statistics.hpp"
+#include "models/bus_transaction.hpp"
+#include "models/machine_parameters.hpp"
+
+namespace maquette::models {
+
+/// What the bus knows of one of its masters.
+struct BusMaster {
+  std::string name;
+  BusMasterPlace place;
+  AccessLaw access;
+};
+
+/// One access, as an observer sees it.
+struct BusAccess {
+  int master;
+  std::uint64_t address;
+  bool write;
+  Instant request;
+  Instant grant;
+  Instant end;
+};
+
+/// The VERSAbus backplane with its arbiter: blocking transport, exact arbitration.
+///
+/// A master's request stands from its instant R. Arbitration starts at S = max(R, end of the
+/// previous access); of all requests up to S the policy picks one, which is granted the bus at
+/// G = S + arbitration_clocks (+ handover_clocks when another master had the bus before) and
+/// releases it when its access is over (AccessLaw). A burst that keeps the bus (BBSY) needs no
+/// arbitration after its first access; under the priority policy a request of a strictly higher
+/// level (BCLR) makes its master release the bus at the end of the current access, or at once when
+/// it is between two accesses, and arbitrate again. Assumption: a first grant pays no hand-over.
+///
+/// The bus keeps its own time. While every active master stands with a request it resolves accesses
+/// ahead of the kernel, up to the first end of a transaction: nothing unknown can come in between.
+/// While some master computes unknown to the bus, only instants before the kernel's are decided and
+/// the bus wakes itself one tick after the next one.
+///
+/// Slaves are called with the offset of the data strobe as TLM delay (exactly: BusStrobe) and the
+/// address relative to their base; they add their access time to the delay and must not wait. An
+/// access that nobody answers, or not within the timeout, is a bus error: it lasts for the timeout
+/// and ends the burst with an error response. With the timeout off a missing slave ends it as a
+/// fast one would.
+class VersaBus : public sc_core::sc_module {
+ public:
+  /// Throws std::invalid_argument for parameters that make no bus.
+  VersaBus(const sc_core::sc_module_name& name, const VersaBusParameters& parameters);
+
+  /// Binds a master, active from the start, and returns its number. Its `b_transport` takes a burst
+  /// (BusTransaction) with the time until its request as delay, blocks, and returns at the end of
+  /// the last access with delay 0. Throws std::invalid_argument when the place is taken or outside
+  /// the five levels.
+  int attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusMaster& master);
+
+  /// Binds a slave at a range of addresses. Throws as AddressMap::add.
+  void attach_slave(tlm::tlm_base_target_socket<>& socket, const AddressRange& range);
+
+  /// The master will request no more, until it is activated again.
+  void retire(int master);
+
+  /// A retired master may request again, from the kernel's present instant on.
+  void activate(int master);
+
+  /// Every access from now on is shown to `observer`, in the order of time.
+  void observe(std::function<void(const BusAccess&)> observer) { observer_ = std::move(observer); }
+
+  [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] const AddressMap& address_map() const { return address_map_; }
+  [[nodiscard]] const std::string& master_name(int master) const;
+  [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
+
+ private:
+  enum class State { computing, requesting, retired };
+
+  struct Master {
+    explicit Master(const BusMaster& what) : description(what) {}
+
+    BusMaster description;
+    State state = State::computing;
+    bool promised = false;  // to post or retire in the instant `completed_at`
+    Instant completed_at{};
+    tlm::tlm_generic_payload* burst = nullptr;
+    BusTransaction* transaction = nullptr;
+    BusTransaction plain;       // stands in for a payload's missing extension
+    std::int64_t accesses = 0;  // of the burst
+    tlm::tlm_generic_payload access;
+    BusStrobe strobe;
+    sc_core::sc_event completed;
+  };
+
+  struct AccessResult {
+    Duration duration;
+    tlm::tlm_response_status status;
+  };
+
+  void b_transport(int id, tlm::tlm_generic_payload& burst, sc_core::sc_time& delay);
+  unsigned transport_dbg(int id, tlm::tlm_generic_payload& payload);
+
+  void post(int id, tlm::tlm_generic_payload& burst, Instant request);
+  void leave_computing(int id, State next);
+  void advance();
+  [[nodiscard]] Instant next_decision() const;
+  [[nodiscard]] Instant earliest_clear_request() const;
+  void decide(Instant instant);
+  int arbitrate(Instant instant);
+  void transfer(int id, Instant decision, Instant grant);
+  AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
+  void occupy(int id, Instant from, Instant to);
+  void record(int id, const BusAccess& access, Instant decision);
+  void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
+  void complete(int id, Instant end, tlm::tlm_response_status status);
+  [[nodiscard]] std::uint64_t next_address(const Master& master) const;
+  Master& at(int id) { return *masters_[static_cast<std::size_t>(id)]; }
+
+  tlm_utils::multi_passthrough_target_socket<VersaBus> master_sockets_;
+  tlm_utils::multi_passthrough_initiator_socket<VersaBus> slave_sockets_;
+  AddressMap address_map_;
+
+  ArbitrationPolicy policy_;
+  unsigned word_bytes_;
+  Duration arbitration_;
+  Duration arbitration_and_handover_;
+  Duration timeout_;
+
+  std::vector<std::unique_ptr<Master>> masters_;
+  std::vector<Instant> requests_;  // by master; k_never while it has none
+  std::vector<Contender> contenders_;
+  int computing_ = 0;        // active masters without a request
+  int unpromised_ = 0;       // those of them that may post at any instant
+  int holder_ = k_nobody;    // keeps the bus between two accesses
+  int previous_ = k_nobody;  // had the bus last
+  Instant free_at_{};
+  Instant last_decision_{-1};
+  sc_core::sc_event wake_;
+
+  BusStatistics statistics_;
+  std::function<void(const BusAccess&)> observer_;
+};
+
+}  // namespace maquette::models
