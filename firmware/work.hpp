@@ -14,6 +14,7 @@ enum class Operation : std::uint8_t {
   add,
   subtract,
   add_zero,
+  subtract_zero,
   multiply,
   multiply_zero,
   divide,
@@ -38,11 +39,28 @@ inline constexpr int k_operation_count = static_cast<int>(Operation::call) + 1;
 
 /// The field's name of each operation, in the order of the enumeration: keys of cost tables and of
 /// `work` in stats.json.
-inline constexpr const char* k_operation_names[k_operation_count] = {
-    "add",     "subtract", "add_zero",         "multiply",         "multiply_zero", "divide",
-    "divide_zero", "square_root", "compare",   "absolute",         "negate",        "integer_to_float",
-    "float_to_integer", "exponential", "power", "arc_cosine",      "load",          "store",
-    "branch",  "loop",     "call"};
+inline constexpr const char* k_operation_names[k_operation_count] = {"add",
+                                                                     "subtract",
+                                                                     "add_zero",
+                                                                     "subtract_zero",
+                                                                     "multiply",
+                                                                     "multiply_zero",
+                                                                     "divide",
+                                                                     "divide_zero",
+                                                                     "square_root",
+                                                                     "compare",
+                                                                     "absolute",
+                                                                     "negate",
+                                                                     "integer_to_float",
+                                                                     "float_to_integer",
+                                                                     "exponential",
+                                                                     "power",
+                                                                     "arc_cosine",
+                                                                     "load",
+                                                                     "store",
+                                                                     "branch",
+                                                                     "loop",
+                                                                     "call"};
 
 /// Counts per operation class: what a pixel (or the preprocessing) cost, never seconds.
 struct Work {

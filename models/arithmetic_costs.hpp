@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "firmware/work.hpp"
 
@@ -20,6 +21,7 @@ struct OperationCost {
 struct ArithmeticCosts {
   std::array<OperationCost, firmware::k_operation_count> operations{};
   std::array<bool, firmware::k_operation_count> called{};
+  std::int64_t package_bytes = 0;  ///< code of the package in a board's RAM
 };
 
 }  // namespace maquette::models

@@ -1,0 +1,107 @@
+#pragma once
+
+#include "firmware/combine.hpp"
+#include "firmware/extent.hpp"
+#include "firmware/primitives/primitive_table.hpp"
+
+/// From a ray to its crossings with a node of the tree: extents, intersections in local frames,
+/// combination along the composites (paper, section V.2.3.1.2).
+namespace maquette::firmware {
+
+/// A ray in the screen frame and what is known of it. A primary ray starts at the eye, the origin
+/// of the screen frame, and is tested against rectangles; a secondary one has a unit direction and
+/// is tested against spheres.
+template <class Real>
+struct RayQuery {
+  Ray<Real> ray;
+  Real reach;  ///< what lies farther does not matter
+  bool is_primary;
+  std::int16_t column;  ///< of a primary ray
+  std::int16_t row;
+};
+
+template <class Real>
+bool may_meet(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
+  const Extent<Real>& extent = frame.prepared.extents[node];
+  charge<Real>(Operation::branch);
+  if (query.is_primary) {
+    charge<Real>(Operation::load, 2);
+    charge<Real>(Operation::branch, 4);
+    return extent.rectangle.contains(query.column, query.row);
+  }
+  return !extent.bounded || meets(query.ray, query.reach, extent.sphere);
+}
+
+/// The ray in the local frame of a leaf; distances along it stay the same.
+template <class Real>
+Ray<Real> local_ray(const PreparedLeaf<Real>& leaf, const RayQuery<Real>& query) {
+  charge<Real>(Operation::branch);
+  if (query.is_primary) {
+    charge<Real>(Operation::load, 3);
+    return {leaf.from_screen[3], transform_direction(leaf.from_screen, query.ray.direction)};
+  }
+  return {transform_point(leaf.from_screen, query.ray.origin),
+          transform_direction(leaf.from_screen, query.ray.direction)};
+}
+
+/// Crossings of a ray with a leaf, written from `first` on; spans behind the origin or beyond the
+/// reach are left out. Returns their number.
+template <class Real>
+std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
+                        Crossing<Real>* first) {
+  const Leaf<Real>& leaf = frame.database.leaves[node];
+  charge<Real>(Operation::load, 2);
+  charge<Real>(Operation::call, 2);
+  Hit<Real> hits[k_primitive_hit_limit];
+  const int hit_count = primitive_of<Real>(leaf.kind).intersect(
+      local_ray(frame.prepared.leaves[node], query),
+      frame.database.parameters + leaf.first_parameter, hits);
+  std::int32_t count = 0;
+  for (int i = 0; i < hit_count; i += 2) {
+    charge<Real>(Operation::loop);
+    charge<Real>(Operation::branch, 2);
+    const Hit<Real>& in = hits[i];
+    const Hit<Real>& out = hits[i + 1];
+    if (out.distance <= constant<Real>(0) || in.distance > query.reach) {
+      continue;
+    }
+    charge<Real>(Operation::store, 6);
+    first[count++] = {in.distance, node, in.face, leaf.surface};
+    first[count++] = {out.distance, node, out.face, k_void};
+  }
+  return count;
+}
+
+/// Crossings of a ray with a node, written from `first` on, in order; returns their number. Where
+/// the first operand of a difference or an intersection is missed the second is not looked at. The
+/// space needed behind `first` is `crossings_needed` (memory_needs.hpp).
+template <class Real>
+std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
+                   Crossing<Real>* first) {
+  charge<Real>(Operation::call);
+  charge<Real>(Operation::branch);
+  if (!may_meet(frame, query, node)) {
+    return 0;
+  }
+  if (frame.database.is_leaf(node)) {
+    return cross_leaf(frame, query, node, first);
+  }
+  const Composite& composite = frame.database.composite(node);
+  charge<Real>(Operation::load, 2);
+  charge<Real>(Operation::branch, 4);
+  const std::int32_t a_count = cross(frame, query, composite.sons[0], first);
+  const bool is_union = composite.combination == BooleanOperator::union_of;
+  if (a_count == 0 && !is_union) {
+    return 0;
+  }
+  const std::int32_t b_count = cross(frame, query, composite.sons[1], first + a_count);
+  if (b_count == 0) {
+    return composite.combination == BooleanOperator::intersection ? 0 : a_count;
+  }
+  if (a_count == 0) {
+    return b_count;
+  }
+  return combine(frame, composite.combination, first, a_count, b_count);
+}
+
+}  // namespace maquette::firmware

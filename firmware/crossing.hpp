@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/database.hpp"
+
+namespace maquette::firmware {
+
+/// A point where a ray passes from one medium into another. A ray's crossings are in order of
+/// distance; before the first it is in the void.
+template <class Real>
+struct Crossing {
+  Real distance;        ///< in lengths of the ray's direction
+  NodeIndex leaf;       ///< whose surface it is
+  std::uint8_t face;    ///< of the primitive
+  SurfaceIndex medium;  ///< behind the crossing: the surface of the body entered, or k_void
+};
+
+/// The work area of a ray: crossings of the operands on the way, as a stack.
+template <class Real>
+struct CrossingArea {
+  Crossing<Real>* crossings;
+  std::int32_t capacity;
+};
+
+}  // namespace maquette::firmware

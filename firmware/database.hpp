@@ -1,0 +1,125 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/vector.hpp"
+
+/// The scene as a board's RAM holds it (paper, section V.2.3.1.1): flat arrays, loaded by the host.
+/// The host program lays them out in its own way; the sizes of records.hpp are those of the board.
+namespace maquette::firmware {
+
+/// Leaves are numbered 0 .. leaf_count-1, composites follow; sons have smaller numbers than their
+/// father.
+using NodeIndex = std::uint32_t;
+using SurfaceIndex = std::uint16_t;
+
+inline constexpr NodeIndex k_no_node = 0xFFFFFFFF;
+/// The medium outside of every body.
+inline constexpr SurfaceIndex k_void = 0xFFFF;
+
+enum class PrimitiveKind : std::uint8_t { half_space, box, sphere, cylinder, cone };
+inline constexpr int k_primitive_kind_count = 5;
+
+enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
+
+/// A primitive: where it hangs, what it is, its frame and its surface.
+template <class Real>
+struct Leaf {
+  NodeIndex father;
+  PrimitiveKind kind;
+  SurfaceIndex surface;
+  std::uint32_t first_parameter;  ///< into Database::parameters
+  Affine<Real> to_scene;          ///< local frame to scene frame
+  Affine<Real> from_scene;
+};
+
+struct Composite {
+  NodeIndex father;
+  NodeIndex sons[2];
+  BooleanOperator combination;
+};
+
+enum class FacetDistribution : std::uint8_t { cosine_power, gaussian, trowbridge_reitz };
+
+/// Optical properties (paper, section III).
+template <class Real>
+struct Surface {
+  Color<Real> diffuse;  ///< reflectance of the diffuse share
+  Real specular;        ///< the share s; d = 1 - s
+  bool metal;
+  bool transparent;
+  bool absorbing;
+  FacetDistribution facets;
+  Color<Real> index;       ///< dielectrics: the same for the three colours
+  Color<Real> extinction;  ///< metals
+  Real facet_parameter;    ///< exponent; 1/m^2 with m in radians; c^2 - 1
+  Real facet_scale;        ///< makes the integral of D cos over the hemisphere pi/4
+  Color<Real> absorption;  ///< per scene unit
+};
+
+template <class Real>
+struct Light {
+  Vector<Real> position;  ///< scene frame
+  Color<Real> intensity;
+};
+
+/// The observer's frame and the screen one unit in front of the eye. Screen frame: x to the right,
+/// y up, z into the scene, the eye at the origin, lengths as in the scene.
+template <class Real>
+struct Observer {
+  Affine<Real> to_screen;  ///< scene frame to screen frame
+  Affine<Real> from_screen;
+  Real left;  ///< x of the centre of column 0
+  Real top;   ///< y of the centre of row 0
+  Real step;  ///< between pixel centres, both ways
+  std::int32_t columns;
+  std::int32_t rows;
+};
+
+/// What of the firmware a scene needs; the rest is neither run nor packed nor charged.
+struct Needs {
+  bool primitives[k_primitive_kind_count];
+  bool unions;
+  bool intersections;
+  bool differences;
+  bool diffuse;   ///< a surface with d > 0
+  bool specular;  ///< a surface with s > 0: facets, Fresnel, reflected rays
+  bool dielectrics;
+  bool metals;
+  bool facets[3];
+  bool transparency;  ///< refracted rays
+  bool absorption;
+  bool lights;
+  bool shadows;
+  bool ambient;
+  bool reflections;  ///< specular surfaces and a ray tree deeper than 0
+};
+
+template <class Real>
+struct Database {
+  const Leaf<Real>* leaves;
+  const Composite* composites;
+  const Real* parameters;
+  const Surface<Real>* surfaces;
+  const Light<Real>* lights;
+  NodeIndex leaf_count;
+  NodeIndex composite_count;
+  std::uint32_t parameter_count;
+  SurfaceIndex surface_count;
+  std::uint16_t light_count;
+  NodeIndex root;
+  Observer<Real> observer;
+  Color<Real> ambient;
+  Color<Real> background;
+  std::int32_t ray_depth;  ///< secondary rays in a row
+  Real minimum_weight;     ///< rays that count less are not cast
+  Needs needs;
+
+  [[nodiscard]] bool is_leaf(NodeIndex node) const { return node < leaf_count; }
+  [[nodiscard]] NodeIndex node_count() const { return leaf_count + composite_count; }
+  [[nodiscard]] const Composite& composite(NodeIndex node) const {
+    return composites[node - leaf_count];
+  }
+};
+
+}  // namespace maquette::firmware

@@ -1,0 +1,208 @@
+#pragma once
+
+#include "firmware/elementary.hpp"
+#include "firmware/extent.hpp"
+#include "firmware/primitives/primitive_table.hpp"
+
+/// The phase before synthesis, done by every board (paper, section V.2.3.1.2): concatenated
+/// transforms and their inverses, box and sphere extents, projected rectangles, useful zone.
+namespace maquette::firmware {
+
+namespace preprocessing {
+
+/// Rectangles and extents grow by this many spacings of the number type times the coordinates they
+/// were computed from: more than the rounding of a transform and a projection.
+inline constexpr double k_extent_margin = 32;
+
+/// Crossings closer than this many spacings times the coordinates they were computed from are one.
+inline constexpr double k_crossing_tolerance = 4;
+
+template <class Real>
+Rectangle whole_screen(const Observer<Real>& observer) {
+  return {0, static_cast<std::int16_t>(observer.columns), 0,
+          static_cast<std::int16_t>(observer.rows)};
+}
+
+/// A coordinate of the screen, clamped to 0 .. end.
+template <class Real>
+std::int16_t clamped_index(Real value, std::int32_t end) {
+  const Real limit = from_integer<Real>(end);
+  const Real inside = larger(constant<Real>(0), smaller(value, limit));
+  return static_cast<std::int16_t>(to_integer(inside));
+}
+
+/// One of the eight corners of a box, in another frame.
+template <class Real>
+Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& frame) {
+  charge<Real>(Operation::branch, 3);
+  return transform_point(frame, Vector<Real>((corner & 1) != 0 ? box.high.x : box.low.x,
+                                             (corner & 2) != 0 ? box.high.y : box.low.y,
+                                             (corner & 4) != 0 ? box.high.z : box.low.z));
+}
+
+/// The pixels that the parallelepiped of a local box may cover: the rectangle around its projected
+/// corners. The whole screen when a corner lies beside or behind the eye.
+template <class Real>
+Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real scale,
+                    const Observer<Real>& observer) {
+  const Real margin = scale * (constant<Real>(k_extent_margin) * spacing<Real>());
+  Real left = far_away<Real>();
+  Real right = -left;
+  Real bottom = left;
+  Real top = -left;
+  for (int corner = 0; corner < 8; ++corner) {
+    charge<Real>(Operation::loop);
+    const Vector<Real> p = corner_of(local, corner, to_screen);
+    const Real depth = p.z - margin;
+    if (!(depth > margin)) {
+      return whole_screen(observer);
+    }
+    const Real inverse = constant<Real>(1) / depth;
+    const Real x = p.x * inverse;
+    const Real y = p.y * inverse;
+    left = smaller(left, x);
+    right = larger(right, x);
+    bottom = smaller(bottom, y);
+    top = larger(top, y);
+  }
+  // A pixel on either side covers the division by a depth that is short by the margin.
+  const Real one = constant<Real>(1);
+  const Real two = constant<Real>(2);
+  const Real inverse_step = one / observer.step;
+  const Real widen = one + constant<Real>(k_extent_margin) * spacing<Real>();
+  return {clamped_index(((left - observer.left) * inverse_step) * widen - one, observer.columns),
+          clamped_index(((right - observer.left) * inverse_step) * widen + two, observer.columns),
+          clamped_index(((observer.top - top) * inverse_step) * widen - one, observer.rows),
+          clamped_index(((observer.top - bottom) * inverse_step) * widen + two, observer.rows)};
+}
+
+/// Bound of how much the linear part of a frame stretches a vector: the root of the largest row sum
+/// of M^T M, exact when the axes are perpendicular.
+template <class Real>
+Real stretch(const Affine<Real>& frame) {
+  Real largest = constant<Real>(0);
+  for (int row = 0; row < 3; ++row) {
+    charge<Real>(Operation::loop);
+    const Real sum = absolute(glm::dot(frame[row], frame[0])) +
+                     absolute(glm::dot(frame[row], frame[1])) +
+                     absolute(glm::dot(frame[row], frame[2]));
+    largest = larger(largest, sum);
+  }
+  return square_root(largest);
+}
+
+/// Radius of the sphere around a local box's centre that holds the primitive in the screen frame.
+template <class Real>
+Real radius_of(PrimitiveKind kind, const Box<Real>& local, const Affine<Real>& to_screen,
+               const Vector<Real>& center) {
+  charge<Real>(Operation::branch);
+  if (kind == PrimitiveKind::sphere) {
+    return stretch(to_screen);
+  }
+  Real radius = constant<Real>(0);
+  for (int corner = 0; corner < 8; ++corner) {
+    charge<Real>(Operation::loop);
+    radius = larger(radius, length(corner_of(local, corner, to_screen) - center));
+  }
+  return radius;
+}
+
+template <class Real>
+Box<Real> box_around(const Box<Real>& local, const Affine<Real>& to_screen) {
+  Box<Real> box;
+  box.low = box.high = corner_of(local, 0, to_screen);
+  for (int corner = 1; corner < 8; ++corner) {
+    charge<Real>(Operation::loop);
+    const Vector<Real> p = corner_of(local, corner, to_screen);
+    box = {lower(box.low, p), higher(box.high, p)};
+  }
+  return box;
+}
+
+template <class Real>
+PreparedLeaf<Real> prepared_leaf(const Leaf<Real>& leaf, const Observer<Real>& observer) {
+  PreparedLeaf<Real> prepared;
+  prepared.to_screen = concatenate(observer.to_screen, leaf.to_scene);
+  prepared.from_screen = concatenate(leaf.from_scene, observer.from_screen);
+  prepared.scale = magnitude(prepared.to_screen[3]) + stretch(prepared.to_screen);
+  return prepared;
+}
+
+template <class Real>
+Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
+                         const PreparedLeaf<Real>& prepared) {
+  Extent<Real> extent{};
+  Box<Real> local{};
+  charge<Real>(Operation::call);
+  extent.bounded =
+      primitive_of<Real>(leaf.kind).bounds(database.parameters + leaf.first_parameter, local);
+  extent.transparent = database.surfaces[leaf.surface].transparent;
+  if (!extent.bounded) {
+    extent.rectangle = whole_screen(database.observer);
+    return extent;
+  }
+  const Real margin = prepared.scale * (constant<Real>(k_extent_margin) * spacing<Real>());
+  const Vector<Real> margins(margin, margin, margin);
+  const Vector<Real> center =
+      transform_point(prepared.to_screen, (local.low + local.high) * constant<Real>(0.5));
+  const Box<Real> box = box_around(local, prepared.to_screen);
+  extent.box = {box.low - margins, box.high + margins};
+  extent.sphere =
+      sphere_of(center, radius_of(leaf.kind, local, prepared.to_screen, center) + margin);
+  extent.rectangle = projected(local, prepared.to_screen, prepared.scale, database.observer);
+  charge<Real>(Operation::store, 12);
+  return extent;
+}
+
+template <class Real>
+void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
+  Real largest = constant<Real>(0);
+  for (NodeIndex node = 0; node < database.leaf_count; ++node) {
+    charge<Real>(Operation::loop);
+    const Leaf<Real>& leaf = database.leaves[node];
+    prepared.leaves[node] = prepared_leaf(leaf, database.observer);
+    prepared.extents[node] = leaf_extent(database, leaf, prepared.leaves[node]);
+    largest = larger(largest, prepared.leaves[node].scale);
+  }
+  for (NodeIndex node = database.leaf_count; node < database.node_count(); ++node) {
+    charge<Real>(Operation::loop);
+    const Composite& composite = database.composite(node);
+    prepared.extents[node] = combined(composite.combination, prepared.extents[composite.sons[0]],
+                                      prepared.extents[composite.sons[1]]);
+  }
+  // Inside the scene no distance exceeds four times the largest coordinate.
+  prepared.coarse_tolerance =
+      largest * (constant<Real>(6 * k_crossing_tolerance) * spacing<Real>());
+}
+
+template <class Real>
+[[gnu::noinline]] void prepare_surfaces(const Database<Real>& database, Prepared<Real>& prepared) {
+  const Real inverse_pi = constant<Real>(1 / elementary::k_pi);
+  for (SurfaceIndex index = 0; index < database.surface_count; ++index) {
+    charge<Real>(Operation::loop);
+    const Surface<Real>& surface = database.surfaces[index];
+    const Color<Real> share = surface.diffuse * (constant<Real>(1) - surface.specular);
+    prepared.surfaces[index] = {share * inverse_pi, share * database.ambient};
+    charge<Real>(Operation::store, 6);
+  }
+}
+
+}  // namespace preprocessing
+
+/// Fills `prepared`, whose arrays the caller provides, from the database. The useful zone is the
+/// rectangle of the root.
+template <class Real>
+void preprocess(const Database<Real>& database, Prepared<Real>& prepared) {
+  preprocessing::prepare_nodes(database, prepared);
+  if (database.needs.diffuse) {
+    preprocessing::prepare_surfaces(database, prepared);
+  }
+  for (std::uint16_t light = 0; light < database.light_count; ++light) {
+    charge<Real>(Operation::loop);
+    prepared.light_positions[light] =
+        transform_point(database.observer.to_screen, database.lights[light].position);
+  }
+  prepared.useful_zone = prepared.extents[database.root].rectangle;
+}
+
+}  // namespace maquette::firmware

@@ -1,0 +1,129 @@
+#pragma once
+
+#include "firmware/primitives/interval.hpp"
+
+/// The cone x^2 + y^2 <= z^2 between z = top and z = 1, closed by discs; top, its only parameter,
+/// is 0 for a pointed cone and less than 1. Faces: 0 the base z = 1, 1 the top, 2 the side.
+namespace maquette::firmware::cone {
+
+inline constexpr std::uint8_t k_side = 2;
+
+/// Coefficients of x^2 + y^2 - z^2 = a s^2 + 2 b s + c along a ray, with s = t - base. The base is
+/// near the primitive so that c does not cancel when the origin is far away.
+template <class Real>
+struct SideEquation {
+  Real base;
+  Real a;
+  Real b;
+  Real c;
+  Real discriminant;
+};
+
+template <class Real>
+SideEquation<Real> side_equation(const Ray<Real>& ray, Real slab_entry) {
+  const Real zero = constant<Real>(0);
+  const Vector<Real>& o = ray.origin;
+  const Vector<Real>& d = ray.direction;
+  const Real across = d.x * d.x + d.y * d.y;
+  const Real along = d.z * d.z;
+  SideEquation<Real> equation;
+  equation.a = across - along;
+  charge<Real>(Operation::branch);
+  const bool steep = equation.a < zero;
+  equation.base = steep ? slab_entry : -(o.x * d.x + o.y * d.y) / across;
+  const Vector<Real> p = o + d * equation.base;
+  const Real radius_squared = p.x * p.x + p.y * p.y;
+  equation.c = radius_squared - p.z * p.z;
+  if (steep) {
+    equation.b = p.x * d.x + p.y * d.y - p.z * d.z;
+    equation.discriminant = equation.b * equation.b - equation.a * equation.c;
+  } else {
+    // The base is the point nearest to the axis: p is perpendicular to d in x and y.
+    equation.b = -(p.z * d.z);
+    equation.discriminant = across * (p.z * p.z) - equation.a * radius_squared;
+  }
+  return equation;
+}
+
+/// Narrows to the part inside the side; returns false when there is none.
+template <class Real>
+bool clip_side(Interval<Real>& interval, const SideEquation<Real>& equation, bool upwards) {
+  const Real zero = constant<Real>(0);
+  charge<Real>(Operation::branch, 3);
+  const bool steep = equation.a < zero;
+  if (!(equation.discriminant > zero) && !steep) {
+    return false;
+  }
+  const Real root = square_root(larger(equation.discriminant, zero));
+  const Real q = equation.b < zero ? root - equation.b : -(equation.b + root);
+  const Real far = far_away<Real>();
+  const Real first = absolute(equation.a) * far > absolute(q) ? q / equation.a : far;
+  const Real second = absolute(q) > zero ? equation.c / q : zero;
+  const Real low = equation.base + smaller(first, second);
+  const Real high = equation.base + larger(first, second);
+  if (!steep) {
+    enter_at(interval, low, k_side);
+    leave_at(interval, high, k_side);
+  } else if (upwards) {
+    // A steep ray meets the lower nappe first; the primitive lies on the upper one.
+    enter_at(interval, high, k_side);
+  } else {
+    leave_at(interval, low, k_side);
+  }
+  return true;
+}
+
+template <class Real>
+int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
+  const Real zero = constant<Real>(0);
+  const Real top = parameters[0];
+  charge<Real>(Operation::load);
+  const Real z = ray.origin.z;
+  const Real direction = ray.direction.z;
+  Interval<Real> interval = whole_ray<Real>();
+  if (!clip_above(interval, z, direction, constant<Real>(1), 0) ||
+      !clip_above(interval, -z, -direction, -top, 1)) {
+    return 0;
+  }
+  if (!clip_side(interval, side_equation(ray, interval.in), direction > zero)) {
+    return 0;
+  }
+  return hits_of(interval, hits);
+}
+
+template <class Real>
+Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+  const Real one = constant<Real>(1);
+  const Real top = parameters[0];
+  charge<Real>(Operation::branch);
+  if (face != k_side) {
+    return {point.x, point.y, face == 0 ? one : top};
+  }
+  const Real z = larger(top, smaller(point.z, one));
+  const Real radius = square_root(point.x * point.x + point.y * point.y);
+  const Real ratio = radius > constant<Real>(0) ? z / radius : constant<Real>(0);
+  return {point.x * ratio, point.y * ratio, z};
+}
+
+/// The apex has no normal; the axis serves.
+template <class Real>
+Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+  const Real zero = constant<Real>(0);
+  charge<Real>(Operation::branch, 2);
+  if (face != k_side) {
+    return {zero, zero, face == 0 ? constant<Real>(1) : constant<Real>(-1)};
+  }
+  if (!(point.z > zero)) {
+    return {zero, zero, constant<Real>(-1)};
+  }
+  return {point.x, point.y, -point.z};
+}
+
+template <class Real>
+bool bounds(const Real* parameters, Box<Real>& box) {
+  const Real one = constant<Real>(1);
+  box = {{-one, -one, parameters[0]}, {one, one, one}};
+  return true;
+}
+
+}  // namespace maquette::firmware::cone

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "firmware/primitives/interval.hpp"
+
+/// The cylinder of radius 1 around the z axis from z = -1 to z = 1, closed by discs.
+/// Faces: 0 the top disc, 1 the bottom disc, 2 the side.
+namespace maquette::firmware::cylinder {
+
+inline constexpr std::uint8_t k_side = 2;
+
+template <class Real>
+int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits) {
+  const Real zero = constant<Real>(0);
+  const Real one = constant<Real>(1);
+  const Vector<Real>& o = ray.origin;
+  const Vector<Real>& d = ray.direction;
+  Interval<Real> interval = whole_ray<Real>();
+  if (!clip_slab(interval, o.z, d.z, 0)) {
+    return 0;
+  }
+  const Real across = d.x * d.x + d.y * d.y;
+  charge<Real>(Operation::branch);
+  if (across > zero) {
+    const Real inverse = one / across;
+    const Real middle = -(o.x * d.x + o.y * d.y) * inverse;
+    const Real x = o.x + d.x * middle;
+    const Real y = o.y + d.y * middle;
+    const Real rest = one - (x * x + y * y);
+    if (!(rest > zero)) {
+      return 0;
+    }
+    const Real half = square_root(rest * inverse);
+    enter_at(interval, middle - half, k_side);
+    leave_at(interval, middle + half, k_side);
+  } else if (o.x * o.x + o.y * o.y > one) {
+    return 0;
+  }
+  return hits_of(interval, hits);
+}
+
+template <class Real>
+Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+  const Real one = constant<Real>(1);
+  charge<Real>(Operation::branch);
+  if (face != k_side) {
+    return {point.x, point.y, face == 0 ? one : -one};
+  }
+  const Real inverse = one / square_root(point.x * point.x + point.y * point.y);
+  return {point.x * inverse, point.y * inverse, larger(-one, smaller(point.z, one))};
+}
+
+template <class Real>
+Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+  const Real zero = constant<Real>(0);
+  charge<Real>(Operation::branch);
+  if (face != k_side) {
+    return {zero, zero, face == 0 ? constant<Real>(1) : constant<Real>(-1)};
+  }
+  return {point.x, point.y, zero};
+}
+
+template <class Real>
+bool bounds(const Real* /*parameters*/, Box<Real>& box) {
+  const Real one = constant<Real>(1);
+  box = {{-one, -one, -one}, {one, one, one}};
+  return true;
+}
+
+}  // namespace maquette::firmware::cylinder

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "firmware/primitives/interval.hpp"
+
+/// The half-space z <= 0.
+namespace maquette::firmware::half_space {
+
+template <class Real>
+int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits) {
+  Interval<Real> interval = whole_ray<Real>();
+  if (!clip_above(interval, ray.origin.z, ray.direction.z, constant<Real>(0), 0)) {
+    return 0;
+  }
+  return hits_of(interval, hits);
+}
+
+template <class Real>
+Vector<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
+  return {point.x, point.y, constant<Real>(0)};
+}
+
+template <class Real>
+Vector<Real> normal(const Vector<Real>& /*point*/, std::uint8_t /*face*/,
+                    const Real* /*parameters*/) {
+  return {constant<Real>(0), constant<Real>(0), constant<Real>(1)};
+}
+
+template <class Real>
+bool bounds(const Real* /*parameters*/, Box<Real>& /*box*/) {
+  return false;
+}
+
+}  // namespace maquette::firmware::half_space

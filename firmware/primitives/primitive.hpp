@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/prepared.hpp"
+#include "firmware/vector.hpp"
+
+namespace maquette::firmware {
+
+/// A point where a ray, given in a primitive's local frame, enters or leaves the primitive.
+template <class Real>
+struct Hit {
+  Real distance;
+  std::uint8_t face;
+};
+
+/// A primitive in its local frame. Its surface may have several faces, told apart by a number.
+template <class Real>
+struct Primitive {
+  /// Writes the hits of a ray, in and out in turn and in order, also those behind its origin.
+  /// Returns their number, which is even and at most `hit_limit`.
+  int (*intersect)(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits);
+  /// The point of the face nearest to a point that rounding has moved off it.
+  Vector<Real> (*settle)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
+  /// Outward normal at a point of the face; not of unit length.
+  Vector<Real> (*normal)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
+  /// A box around the primitive; returns false when there is none.
+  bool (*bounds)(const Real* parameters, Box<Real>& box);
+  int hit_limit;
+};
+
+/// The most hits that any primitive has on a ray.
+inline constexpr int k_primitive_hit_limit = 2;
+
+}  // namespace maquette::firmware

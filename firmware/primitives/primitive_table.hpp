@@ -1,0 +1,27 @@
+#pragma once
+
+#include "firmware/primitives/box.hpp"
+#include "firmware/primitives/cone.hpp"
+#include "firmware/primitives/cylinder.hpp"
+#include "firmware/primitives/half_space.hpp"
+#include "firmware/primitives/sphere.hpp"
+
+namespace maquette::firmware {
+
+/// The primitives in the order of PrimitiveKind: one line each.
+template <class Real>
+inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
+    {half_space::intersect<Real>, half_space::settle<Real>, half_space::normal<Real>,
+     half_space::bounds<Real>, 2},
+    {box::intersect<Real>, box::settle<Real>, box::normal<Real>, box::bounds<Real>, 2},
+    {sphere::intersect<Real>, sphere::settle<Real>, sphere::normal<Real>, sphere::bounds<Real>, 2},
+    {cylinder::intersect<Real>, cylinder::settle<Real>, cylinder::normal<Real>,
+     cylinder::bounds<Real>, 2},
+    {cone::intersect<Real>, cone::settle<Real>, cone::normal<Real>, cone::bounds<Real>, 2}};
+
+template <class Real>
+constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
+  return k_primitives<Real>[static_cast<int>(kind)];
+}
+
+}  // namespace maquette::firmware

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "firmware/primitives/interval.hpp"
+
+/// The unit sphere; ellipsoids come from the local frame.
+namespace maquette::firmware::sphere {
+
+/// From the point of the ray nearest to the centre, where no large numbers cancel.
+template <class Real>
+int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits) {
+  const Real inverse = constant<Real>(1) / glm::dot(ray.direction, ray.direction);
+  const Real middle = -glm::dot(ray.origin, ray.direction) * inverse;
+  const Vector<Real> nearest = ray.origin + ray.direction * middle;
+  const Real rest = constant<Real>(1) - glm::dot(nearest, nearest);
+  if (!(rest > constant<Real>(0))) {
+    return 0;
+  }
+  const Real half = square_root(rest * inverse);
+  return hits_of<Real>({middle - half, middle + half, 0, 0}, hits);
+}
+
+template <class Real>
+Vector<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
+  return normalize(point);
+}
+
+template <class Real>
+Vector<Real> normal(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
+  return point;
+}
+
+template <class Real>
+bool bounds(const Real* /*parameters*/, Box<Real>& box) {
+  const Real one = constant<Real>(1);
+  box = {{-one, -one, -one}, {one, one, one}};
+  return true;
+}
+
+}  // namespace maquette::firmware::sphere

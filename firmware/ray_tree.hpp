@@ -1,0 +1,136 @@
+#pragma once
+
+#include "firmware/direct_light.hpp"
+
+/// The binary tree of reflected and refracted rays (paper, section III.2, figure 3), walked with a
+/// stack: a ray's weight says what share of its luminance reaches the pixel, so sums need no way
+/// back.
+namespace maquette::firmware {
+
+/// A ray that waits to be cast.
+template <class Real>
+struct PendingRay {
+  Ray<Real> ray;  ///< unit direction, or through the pixel for a primary ray
+  Color<Real> weight;
+  std::int32_t depth;  ///< secondary rays before it in a row, itself included
+};
+
+/// What synthesis writes on: crossings of one ray and rays that wait. Sizes: memory_needs.hpp.
+template <class Real>
+struct WorkArea {
+  Crossing<Real>* crossings;
+  PendingRay<Real>* rays;
+};
+
+/// Index of the first crossing in front of the origin, `count` when there is none. `before` becomes
+/// the medium that the ray travels in until there.
+template <class Real>
+std::int32_t first_ahead(const Crossing<Real>* crossings, std::int32_t count,
+                         SurfaceIndex& before) {
+  before = k_void;
+  std::int32_t i = 0;
+  charge<Real>(Operation::loop);
+  while (i < count && !(crossings[i].distance > constant<Real>(0))) {
+    charge<Real>(Operation::loop);
+    before = crossings[i++].medium;
+  }
+  return i;
+}
+
+template <class Real>
+bool is_visible(const Database<Real>& database, const Color<Real>& weight) {
+  return larger(weight.x, larger(weight.y, weight.z)) >= database.minimum_weight;
+}
+
+/// Puts the reflected and the refracted ray of a point on the stack when they count for something.
+/// Returns the new height.
+template <class Real>
+[[gnu::noinline]] std::int32_t spawn(const Frame<Real>& frame, const SurfacePoint<Real>& point,
+                                     const View<Real>& view, const PendingRay<Real>& parent,
+                                     PendingRay<Real>* stack, std::int32_t height,
+                                     RayCounts& rays) {
+  const Database<Real>& database = frame.database;
+  const Surface<Real>& surface = database.surfaces[point.surface];
+  const Vector<Real> direction = -view.towards;
+  const Real one = constant<Real>(1);
+  const std::int32_t depth = parent.depth + 1;
+  charge<Real>(Operation::call);
+  charge<Real>(Operation::branch, 4);
+  charge<Real>(Operation::load);
+  const Color<Real> share = parent.weight * surface.specular;
+  const Color<Real> reflected = fresnel_factor(surface, view.cosine, view.index);
+  const Color<Real> reflected_weight = share * reflected;
+  if (is_visible(database, reflected_weight)) {
+    charge<Real>(Operation::store, 10);
+    ++rays.reflected;
+    const Real twice = constant<Real>(2) * view.cosine;
+    stack[height++] = {
+        {departure(point), normalize(direction + point.normal * twice)}, reflected_weight, depth};
+  }
+  if (!surface.transparent) {
+    return height;
+  }
+  const DielectricBorder<Real> border = dielectric_border(view.cosine, view.index);
+  const Color<Real> refracted_weight = share * (one - border.reflected);
+  if (is_visible(database, refracted_weight)) {
+    charge<Real>(Operation::store, 10);
+    ++rays.refracted;
+    // Snell: n T = D + (c - g) N, with g the transmitted cosine times n.
+    const Vector<Real> bent = direction + point.normal * (view.cosine - border.transmitted_cosine);
+    stack[height++] = {{far_departure(point), normalize(bent)}, refracted_weight, depth};
+  }
+  return height;
+}
+
+/// What a ray contributes by its first visible point; its secondary rays go on the stack.
+template <class Real>
+Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
+                   const PendingRay<Real>& pending, const WorkArea<Real>& area,
+                   std::int32_t& height, RayCounts& rays) {
+  const Database<Real>& database = frame.database;
+  charge<Real>(Operation::call);
+  charge<Real>(Operation::branch, 5);
+  const std::int32_t count = cross(frame, query, database.root, area.crossings);
+  SurfaceIndex before = k_void;
+  const std::int32_t first = first_ahead(area.crossings, count, before);
+  if (first == count) {
+    charge<Real>(Operation::load, 3);
+    return pending.weight * database.background;
+  }
+  const Crossing<Real> crossing = area.crossings[first];
+  PendingRay<Real> arriving = pending;
+  if (before != k_void && database.surfaces[before].absorbing) {
+    const Real travelled =
+        crossing.distance * (query.is_primary ? length(query.ray.direction) : constant<Real>(1));
+    arriving.weight *= transmitted_over(database.surfaces[before], travelled);
+  }
+  const SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
+  const View<Real> view = view_of(
+      frame, point, query.is_primary ? normalize(query.ray.direction) : query.ray.direction);
+  const Color<Real> seen = arriving.weight * direct_light(frame, point, view, area.crossings, rays);
+  if (database.needs.reflections && pending.depth < database.ray_depth &&
+      database.surfaces[point.surface].specular > constant<Real>(0)) {
+    height = spawn(frame, point, view, arriving, area.rays, height, rays);
+  }
+  return seen;
+}
+
+/// Luminance of a pixel: the primary ray through it and all that follows from it.
+template <class Real>
+Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
+                      const WorkArea<Real>& area, RayCounts& rays) {
+  const Real one = constant<Real>(1);
+  std::int32_t height = 0;
+  ++rays.primary;
+  Color<Real> sum = follow(frame, primary, {primary.ray, {one, one, one}, 0}, area, height, rays);
+  while (height > 0) {
+    charge<Real>(Operation::loop);
+    charge<Real>(Operation::load, 10);
+    const PendingRay<Real> pending = area.rays[--height];
+    const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0};
+    sum += follow(frame, query, pending, area, height, rays);
+  }
+  return sum;
+}
+
+}  // namespace maquette::firmware

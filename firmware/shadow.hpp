@@ -1,0 +1,113 @@
+#pragma once
+
+#include "firmware/elementary.hpp"
+#include "firmware/fresnel.hpp"
+#include "firmware/surface_point.hpp"
+
+/// Shadow rays: opaque bodies stop the light of a source, transparent ones attenuate it by
+/// absorption over the thickness and at each passage of a surface (paper, section III.1, figure 2).
+namespace maquette::firmware {
+
+/// What a body of this surface lets through over a length, per colour.
+template <class Real>
+[[gnu::noinline]] Color<Real> transmitted_over(const Surface<Real>& surface, Real length) {
+  charge<Real>(Operation::call);
+  charge<Real>(Operation::load, 3);
+  return {exponential(-(surface.absorption.x * length)),
+          exponential(-(surface.absorption.y * length)),
+          exponential(-(surface.absorption.z * length))};
+}
+
+/// Attenuates by the passage of a transparent surface. The straight ray stands for a refracted one
+/// whose angle is that on the thinner side, so F is taken there; both ways give the same.
+template <class Real>
+[[gnu::noinline]] void pass_surface(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                    const Crossing<Real>& crossing, SurfaceIndex before,
+                                    Color<Real>& light) {
+  const SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
+  const Real one = constant<Real>(1);
+  const Real index = relative_index(frame.database, before, point.after, point.surface);
+  const Real cosine = smaller(one, absolute(glm::dot(point.normal, query.ray.direction)));
+  charge<Real>(Operation::branch);
+  const Real reflected = dielectric_border(cosine, index < one ? one / index : index).reflected;
+  light *= one - reflected;
+}
+
+/// Attenuates `light` by the crossings of a node between the origin and the reach. Returns false
+/// when an opaque body stops it.
+template <class Real>
+[[gnu::noinline]] bool pass_crossings(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                      const Crossing<Real>* crossings, std::int32_t count,
+                                      Color<Real>& light) {
+  const Surface<Real>* surfaces = frame.database.surfaces;
+  SurfaceIndex medium = k_void;
+  Real from = constant<Real>(0);
+  for (std::int32_t i = 0; i < count; ++i) {
+    charge<Real>(Operation::loop);
+    charge<Real>(Operation::branch, 4);
+    const Crossing<Real>& crossing = crossings[i];
+    if (crossing.distance > query.reach) {
+      break;
+    }
+    const bool is_ahead = crossing.distance > constant<Real>(0);
+    if (medium != k_void && is_ahead && surfaces[medium].absorbing) {
+      light *= transmitted_over(surfaces[medium], crossing.distance - from);
+    }
+    if (crossing.medium != k_void && !surfaces[crossing.medium].transparent) {
+      return false;
+    }
+    if (is_ahead) {
+      pass_surface(frame, query, crossing, medium, light);
+      from = crossing.distance;
+    }
+    medium = crossing.medium;
+  }
+  if (medium != k_void && surfaces[medium].absorbing) {
+    light *= transmitted_over(surfaces[medium], query.reach - from);
+  }
+  return true;
+}
+
+/// Attenuates `light` by a node between the origin of the ray and its reach. Returns false when an
+/// opaque body stops it. The sons of a union are looked at one by one unless both hold transparent
+/// bodies, whose overlap only the combination knows.
+template <class Real>
+[[gnu::noinline]] bool pass_node(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                 NodeIndex node, Crossing<Real>* first, Color<Real>& light) {
+  const Database<Real>& database = frame.database;
+  charge<Real>(Operation::call);
+  charge<Real>(Operation::branch, 4);
+  const bool is_union =
+      !database.is_leaf(node) && database.composite(node).combination == BooleanOperator::union_of;
+  if (is_union) {
+    const NodeIndex* sons = database.composite(node).sons;
+    const bool first_is_transparent = frame.prepared.extents[sons[0]].transparent;
+    const bool second_is_transparent = frame.prepared.extents[sons[1]].transparent;
+    if (!first_is_transparent || !second_is_transparent) {
+      if (!may_meet(frame, query, node)) {
+        return true;
+      }
+      // The opaque son first: what it stops needs no attenuation.
+      const int opaque = first_is_transparent ? 1 : 0;
+      return pass_node(frame, query, sons[opaque], first, light) &&
+             pass_node(frame, query, sons[1 - opaque], first, light);
+    }
+  }
+  const std::int32_t count = cross(frame, query, node, first);
+  charge<Real>(Operation::branch);
+  if (!frame.prepared.extents[node].transparent) {
+    return count == 0;
+  }
+  return pass_crossings(frame, query, first, count, light);
+}
+
+/// What of a source's light reaches the origin of a ray of unit direction towards it, at the given
+/// distance: `light` is attenuated. Returns false in shadow.
+template <class Real>
+bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, Crossing<Real>* area,
+             Color<Real>& light) {
+  const RayQuery<Real> query{ray, distance, false, 0, 0};
+  return pass_node(frame, query, frame.database.root, area, light);
+}
+
+}  // namespace maquette::firmware

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "firmware/classify.hpp"
+
+namespace maquette::firmware {
+
+/// A visible point of a surface in the screen frame, with the media on both sides.
+template <class Real>
+struct SurfacePoint {
+  Vector<Real> position;
+  Vector<Real> normal;   ///< unit length, on the side the ray comes from
+  Real clearance;        ///< how far off the surface rounding can not reach it again
+  SurfaceIndex surface;  ///< whose optical properties count
+  SurfaceIndex before;   ///< medium on the ray's side
+  SurfaceIndex after;
+};
+
+/// Spacings by which a secondary ray starts off the surface, per unit of its coordinates: more than
+/// the rounding of a change of frame there and back.
+inline constexpr double k_clearance = 16;
+
+/// The surface that is seen at a crossing. A transparent body shows its own matter everywhere, an
+/// opaque one the surface of the leaf, so that a cut may have another colour.
+template <class Real>
+SurfaceIndex visible_surface(const Frame<Real>& frame, const Crossing<Real>& crossing,
+                             SurfaceIndex before) {
+  const Surface<Real>* surfaces = frame.database.surfaces;
+  charge<Real>(Operation::branch, 3);
+  const SurfaceIndex matter = crossing.medium != k_void ? crossing.medium : before;
+  const SurfaceIndex own = frame.database.leaves[crossing.leaf].surface;
+  return surfaces[matter].transparent || surfaces[own].transparent ? matter : own;
+}
+
+/// The point of a crossing: computed in the leaf's frame, where it is settled on the surface, and
+/// brought back. Only crossings that survive the combination get here.
+template <class Real>
+SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                 const Crossing<Real>& crossing, SurfaceIndex before) {
+  const Leaf<Real>& leaf = frame.database.leaves[crossing.leaf];
+  const PreparedLeaf<Real>& prepared = frame.prepared.leaves[crossing.leaf];
+  const Primitive<Real>& primitive = primitive_of<Real>(leaf.kind);
+  const Real* parameters = frame.database.parameters + leaf.first_parameter;
+  charge<Real>(Operation::call, 3);
+  charge<Real>(Operation::load, 3);
+  const Ray<Real> local = local_ray(prepared, query);
+  const Vector<Real> settled = primitive.settle(local.origin + local.direction * crossing.distance,
+                                                crossing.face, parameters);
+  SurfacePoint<Real> point;
+  point.position = transform_point(prepared.to_screen, settled);
+  point.normal = normalize(
+      transform_normal(prepared.from_screen, primitive.normal(settled, crossing.face, parameters)));
+  charge<Real>(Operation::branch);
+  if (glm::dot(point.normal, query.ray.direction) > constant<Real>(0)) {
+    point.normal = -point.normal;
+  }
+  point.clearance = (prepared.scale + magnitude(point.position)) *
+                    (constant<Real>(k_clearance) * spacing<Real>());
+  point.surface = visible_surface(frame, crossing, before);
+  point.before = before;
+  point.after = crossing.medium;
+  return point;
+}
+
+/// The point from which a ray leaves the surface on the side of its normal.
+template <class Real>
+Vector<Real> departure(const SurfacePoint<Real>& point) {
+  return point.position + point.normal * point.clearance;
+}
+
+/// The point from which a ray leaves on the other side.
+template <class Real>
+Vector<Real> far_departure(const SurfacePoint<Real>& point) {
+  return point.position - point.normal * point.clearance;
+}
+
+/// Index of the medium behind the point relative to that before it; 1 for the void.
+template <class Real>
+Real relative_index(const Database<Real>& database, SurfaceIndex before, SurfaceIndex after,
+                    SurfaceIndex surface) {
+  const Real one = constant<Real>(1);
+  charge<Real>(Operation::branch, 2);
+  const Real far = after == k_void ? one : database.surfaces[surface].index.x;
+  charge<Real>(Operation::load, 2);
+  return before == k_void ? far : far / database.surfaces[before].index.x;
+}
+
+}  // namespace maquette::firmware

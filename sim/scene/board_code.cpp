@@ -1,0 +1,118 @@
+#include "sim/scene/board_code.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "board_functions.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+using firmware::Needs;
+using firmware::PrimitiveKind;
+
+/// A function, or all functions of a namespace, that only some scenes need.
+struct OptionalCode {
+  std::string_view name;
+  bool (*is_needed)(const Needs& needs);
+};
+
+template <PrimitiveKind kind>
+bool needs_primitive(const Needs& needs) {
+  return needs.primitives[static_cast<int>(kind)];
+}
+
+bool needs_composites(const Needs& needs) {
+  return needs.unions || needs.intersections || needs.differences;
+}
+
+bool needs_gloss(const Needs& needs) { return needs.specular && needs.lights; }
+
+constexpr OptionalCode k_optional_code[] = {
+    {"half_space::", needs_primitive<PrimitiveKind::half_space>},
+    {"box::", needs_primitive<PrimitiveKind::box>},
+    {"sphere::", needs_primitive<PrimitiveKind::sphere>},
+    {"cylinder::", needs_primitive<PrimitiveKind::cylinder>},
+    {"cone::", needs_primitive<PrimitiveKind::cone>},
+    {"combine", needs_composites},
+    {"OperandCursor::take", needs_composites},
+    {"united", [](const Needs& needs) { return needs.unions; }},
+    {"common", [](const Needs& needs) { return needs.intersections; }},
+    {"preprocessing::prepare_surfaces", [](const Needs& needs) { return needs.diffuse; }},
+    {"light_from", [](const Needs& needs) { return needs.lights; }},
+    {"glossy_reflection", needs_gloss},
+    {"facet_term", needs_gloss},
+    {"fresnel_factor", [](const Needs& needs) { return needs.specular; }},
+    {"dielectric_border", [](const Needs& needs) { return needs.dielectrics; }},
+    {"relative_index", [](const Needs& needs) { return needs.dielectrics; }},
+    {"conductor_reflection", [](const Needs& needs) { return needs.metals; }},
+    {"cosine_power_distribution", [](const Needs& needs) { return needs.facets[0]; }},
+    {"gaussian_distribution", [](const Needs& needs) { return needs.facets[1]; }},
+    {"trowbridge_reitz_distribution", [](const Needs& needs) { return needs.facets[2]; }},
+    {"logarithm", [](const Needs& needs) { return needs.facets[0]; }},
+    {"exponential",
+     [](const Needs& needs) { return needs.facets[0] || needs.facets[1] || needs.absorption; }},
+    {"glossy_transmission", [](const Needs& needs) { return needs.transparency && needs.lights; }},
+    {"transmitted_over", [](const Needs& needs) { return needs.absorption; }},
+    {"pass_node", [](const Needs& needs) { return needs.shadows; }},
+    {"pass_crossings", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
+    {"pass_surface", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
+    {"far_departure", [](const Needs& needs) { return needs.transparency; }},
+    {"spawn", [](const Needs& needs) { return needs.reflections; }},
+};
+
+bool is_of(std::string_view function, std::string_view optional) {
+  const bool is_namespace = optional.substr(optional.size() - 1) == ":";
+  return is_namespace ? function.substr(0, optional.size()) == optional : function == optional;
+}
+
+bool is_needed(std::string_view function, const Needs& needs) {
+  const auto* const optional =
+      std::find_if(std::begin(k_optional_code), std::end(k_optional_code),
+                   [function](const OptionalCode& code) { return is_of(function, code.name); });
+  return optional == std::end(k_optional_code) || optional->is_needed(needs);
+}
+
+const firmware::BoardFunction* find_function(std::string_view name) {
+  const auto* const found = std::find_if(
+      std::begin(firmware::k_board_functions), std::end(firmware::k_board_functions),
+      [name](const firmware::BoardFunction& function) { return function.name == name; });
+  return found == std::end(firmware::k_board_functions) ? nullptr : found;
+}
+
+std::int64_t frame_bytes(std::string_view function) {
+  constexpr std::int64_t k_return_address_bytes = 4;
+  const firmware::BoardFunction* found = find_function(function);
+  return k_return_address_bytes + (found == nullptr ? 0 : found->stack_bytes);
+}
+
+}  // namespace
+
+BoardCode board_code_of(const Needs& needs) {
+  BoardCode code{};
+  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
+    (is_needed(function.name, needs) ? code.needed_bytes : code.left_out_bytes) +=
+        function.code_bytes;
+  }
+  return code;
+}
+
+std::int64_t board_stack_bytes(int tree_height) {
+  constexpr std::string_view k_chain[] = {"synthesize", "luminance",       "follow",
+                                          "light_from", "cross_leaf",      "cone::intersect",
+                                          "hits_of",    "transform_point", "transform_direction"};
+  std::int64_t bytes = 0;
+  for (const std::string_view function : k_chain) {
+    bytes += frame_bytes(function);
+  }
+  return bytes + (tree_height + 1) * std::max(frame_bytes("cross"), frame_bytes("pass_node"));
+}
+
+std::int64_t board_code_bytes(const char* function) {
+  const firmware::BoardFunction* found = find_function(function);
+  return found == nullptr ? 0 : found->code_bytes;
+}
+
+}  // namespace maquette::sim

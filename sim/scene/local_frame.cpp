@@ -1,0 +1,80 @@
+#include "sim/scene/local_frame.hpp"
+
+#include <glm/geometric.hpp>
+
+namespace maquette::sim {
+
+namespace {
+
+Placement scaled_and_moved(const Vector3& scale, double height) {
+  return {scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z, 0, 0, height};
+}
+
+LocalFrame cylinder_frame(double radius, double height) {
+  return {firmware::PrimitiveKind::cylinder, std::nullopt,
+          scaled_and_moved({radius, radius, height / 2}, height / 2)};
+}
+
+/// The canonical cone has its apex at the origin and its base, of radius 1, at z = 1.
+LocalFrame cone_frame(const Object& cone) {
+  const double wide = std::max(cone.radius, cone.top_radius);
+  const double narrow = std::min(cone.radius, cone.top_radius);
+  if (wide == narrow) {
+    return cylinder_frame(wide, cone.height);
+  }
+  const double ratio = narrow / wide;
+  const double apex_height = cone.height / (1 - ratio);
+  const bool stands_on_base = cone.radius > cone.top_radius;
+  const Placement frame =
+      stands_on_base ? scaled_and_moved({wide, wide, -apex_height}, apex_height)
+                     : scaled_and_moved({wide, wide, apex_height}, cone.height - apex_height);
+  return {firmware::PrimitiveKind::cone, ratio, frame};
+}
+
+}  // namespace
+
+LocalFrame local_frame_of(const Object& primitive) {
+  switch (primitive.kind) {
+    case ObjectKind::box:
+      return {firmware::PrimitiveKind::box, std::nullopt,
+              scaled_and_moved(primitive.size / 2.0, 0)};
+    case ObjectKind::sphere:
+      return {firmware::PrimitiveKind::sphere, std::nullopt, scaled_and_moved(primitive.size, 0)};
+    case ObjectKind::cylinder:
+      return cylinder_frame(primitive.radius, primitive.height);
+    case ObjectKind::cone:
+      return cone_frame(primitive);
+    case ObjectKind::half_space:
+    case ObjectKind::union_of:
+    case ObjectKind::intersection:
+    case ObjectKind::difference:
+      break;
+  }
+  return {firmware::PrimitiveKind::half_space, std::nullopt, Placement(1.0)};
+}
+
+Placement concatenated(const Placement& outer, const Placement& inner) {
+  Placement result;
+  for (int column = 0; column < 4; ++column) {
+    result[column] =
+        outer[0] * inner[column].x + outer[1] * inner[column].y + outer[2] * inner[column].z;
+  }
+  result[3] += outer[3];
+  return result;
+}
+
+Placement inverse_of(const Placement& placement) {
+  const Vector3& x = placement[0];
+  const Vector3& y = placement[1];
+  const Vector3& z = placement[2];
+  const double determinant = glm::dot(x, glm::cross(y, z));
+  const Vector3 row_x = glm::cross(y, z) / determinant;
+  const Vector3 row_y = glm::cross(z, x) / determinant;
+  const Vector3 row_z = glm::cross(x, y) / determinant;
+  const Vector3 origin(-glm::dot(row_x, placement[3]), -glm::dot(row_y, placement[3]),
+                       -glm::dot(row_z, placement[3]));
+  return {row_x.x, row_y.x, row_z.x, row_x.y,  row_y.y,  row_z.y,
+          row_x.z, row_y.z, row_z.z, origin.x, origin.y, origin.z};
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "firmware/database.hpp"
+#include "sim/description/scene.hpp"
+
+namespace maquette::sim {
+
+/// A primitive of a description in the firmware's terms: which canonical solid, its shape
+/// parameter if it has one, and the frame that makes the described solid of the canonical one.
+struct LocalFrame {
+  firmware::PrimitiveKind kind;
+  std::optional<double> parameter;
+  Placement to_object;
+};
+
+/// The firmware's form of a primitive object; its own placement is not in it. A cone with equal
+/// radii is a cylinder.
+LocalFrame local_frame_of(const Object& primitive);
+
+/// First `inner`, then `outer`.
+Placement concatenated(const Placement& outer, const Placement& inner);
+
+/// The inverse of an affine placement that is not singular.
+Placement inverse_of(const Placement& placement);
+
+}  // namespace maquette::sim

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "firmware/database.hpp"
+#include "sim/description/scene.hpp"
+#include "sim/scene/object_tree.hpp"
+
+namespace maquette::sim {
+
+/// What of the firmware a scene needs; `surfaces` are those that its primitives have.
+firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
+                         const std::vector<firmware::Surface<double>>& surfaces);
+
+/// A need by name, for reports.
+struct NamedNeed {
+  std::string name;
+  bool is_needed;
+};
+
+/// All needs in the order of the firmware's declaration.
+std::vector<NamedNeed> named_needs(const firmware::Needs& needs);
+
+}  // namespace maquette::sim
