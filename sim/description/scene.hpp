@@ -44,15 +44,15 @@ enum class FacetDistribution { cosine_power, gaussian, trowbridge_reitz };
 /// A named surface and, for transparent bodies, the matter behind it (paper, section III).
 struct Surface {
   std::string name;
-  Color diffuse{1, 1, 1};        ///< reflectance of the diffuse share, 0..1
-  double specular = 0;           ///< share s of specular reflection; d = 1 - s
-  bool metal = false;            ///< Fresnel factor from index and extinction per colour
-  Color index{1.5, 1.5, 1.5};    ///< dielectrics have the same for the three colours
+  Color diffuse{1, 1, 1};      ///< reflectance of the diffuse share, 0..1
+  double specular = 0;         ///< share s of specular reflection; d = 1 - s
+  bool metal = false;          ///< Fresnel factor from index and extinction per colour
+  Color index{1.5, 1.5, 1.5};  ///< dielectrics have the same for the three colours
   Color extinction{0, 0, 0};
   FacetDistribution facets = FacetDistribution::cosine_power;
-  double half_angle_deg = 10;    ///< Blinn's beta: where the facet distribution falls to one half
+  double half_angle_deg = 10;  ///< Blinn's beta: where the facet distribution falls to one half
   bool transparent = false;
-  Color absorption{0, 0, 0};     ///< per scene unit of length
+  Color absorption{0, 0, 0};  ///< per scene unit of length
   SourcePosition position_in_file;
 };
 
@@ -67,24 +67,24 @@ enum class ObjectKind {
   difference
 };
 
-/// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin; sphere
-/// is centred; cylinder and cone stand on z = 0 with their axis along z.
+/// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
+/// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.
 struct Object {
   ObjectKind kind = ObjectKind::sphere;
-  std::string name;              ///< may be empty
-  Placement placement{1.0};      ///< to the frame of the father
-  std::string surface;           ///< name; empty: the father's
-  Vector3 size{1, 1, 1};         ///< of a box: edge lengths; of a sphere: its three radii
-  double radius = 1;             ///< of a cylinder; of a cone at its base
-  double top_radius = 0;         ///< of a cone; 0 is a pointed one
-  double height = 1;             ///< of a cylinder or cone
-  std::vector<Object> sons;      ///< of operators; two or more
+  std::string name;          ///< may be empty
+  Placement placement{1.0};  ///< to the frame of the father
+  std::string surface;       ///< name; empty: the father's
+  Vector3 size{1, 1, 1};     ///< of a box: edge lengths; of a sphere: its three radii
+  double radius = 1;         ///< of a cylinder; of a cone at its base
+  double top_radius = 0;     ///< of a cone; 0 is a pointed one
+  double height = 1;         ///< of a cylinder or cone
+  std::vector<Object> sons;  ///< of operators; two or more
   SourcePosition position_in_file;
 };
 
 /// Where the binary tree of rays ends (paper, figure 3).
 struct RayTree {
-  int depth = 4;                 ///< secondary rays in a row; 0: primary rays only
+  int depth = 4;  ///< secondary rays in a row; 0: primary rays only
   double minimum_weight = 1.0 / 256;
 };
 

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sim/description/declaration.hpp"
+#include "sim/description/machine.hpp"
+#include "sim/description/value_types.hpp"
+
+namespace maquette::sim {
+
+inline ChoiceType<ConfidenceMark> confidence_marks() {
+  return {{{"R", ConfidenceMark::read},
+           {"M", ConfidenceMark::measured},
+           {"W", ConfidenceMark::stated},
+           {"I", ConfidenceMark::inferred}}};
+}
+
+/// Clocks and bus cycles of one operation; the keys are the units.
+template <class Visitor>
+void declare_cost(Visitor& visitor, models::OperationCost& cost, std::string_view source) {
+  constexpr RealType k_count{RealDimension::number, {0, 1e7}};
+  visitor.field(required("clocks", "processor clocks without wait states", source), cost.clocks,
+                k_count);
+  visitor.field(required("reads", "16-bit bus reads among them", source), cost.reads, k_count);
+  visitor.field(required("writes", "16-bit bus writes among them", source), cost.writes, k_count);
+}
+
+/// The fields of a table of models/arithmetic/: every operation of firmware/work.hpp.
+template <class Visitor>
+void declare_arithmetic(Visitor& visitor, Machine& machine) {
+  models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
+  visitor.field(required("name", "name of the cost table"), machine.arithmetic_name, TextType{});
+  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
+    const char* name = firmware::k_operation_names[i];
+    visitor.group(required(name, "cost of this operation"), [&, i] {
+      CostSource& source = machine.arithmetic_sources[i];
+      declare_cost(visitor, costs.operations[i], source.text);
+      visitor.field(required("called", "a call that pays board.call_overhead; false: in line"),
+                    costs.called[i], FlagType{});
+      visitor.field(required("source", "where the figures come from"), source.text, TextType{});
+      visitor.field(required("mark", "R read, M measured, W widely stated, I inferred"),
+                    source.mark, confidence_marks());
+    });
+  }
+}
+
+}  // namespace maquette::sim

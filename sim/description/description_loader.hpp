@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/description/machine.hpp"
+#include "sim/description/scene.hpp"
+
+namespace maquette::sim {
+
+/// Where a description comes from.
+struct DescriptionSources {
+  std::string scene_file;
+  std::optional<std::string> machine;  ///< goes before the scene's own; a file, or a shipped name
+  std::vector<std::string> overrides;  ///< `path=value`, applied in this order
+  std::string models_directory;        ///< holds machines/*.yaml and arithmetic/*.yaml
+};
+
+/// A checked description and the files that it was read from, in the order of reading.
+struct Description {
+  Scene scene;
+  Machine machine;
+  std::vector<std::string> input_files;
+};
+
+/// Reads the scene, its machine and its cost table. The machine is `sources.machine`, or what the
+/// scene names or holds under `machine`, or the shipped ccett-1984; the cost table is what the
+/// machine names or holds under board.arithmetic, or the shipped motorola_ffp. Names of files are
+/// relative to the file that names them; a name without `/` and `.` is a shipped one.
+/// The first step of an override's path decides whether it goes to the scene or to the machine;
+/// `machine.` may be written before it.
+/// Throws DescriptionError.
+[[nodiscard]] Description load_description(const DescriptionSources& sources);
+
+/// The same without a scene; without `sources.machine` it is the shipped ccett-1984.
+[[nodiscard]] Machine load_machine(const DescriptionSources& sources,
+                                   std::vector<std::string>& input_files);
+
+/// Whether the file describes a machine rather than a scene: it has a board or processors, and
+/// neither object nor view.
+/// Throws DescriptionError when it cannot be read.
+[[nodiscard]] bool describes_machine(const std::string& file);
+
+/// The scene with its machine and cost table inline, as text: every value, and nothing of where it
+/// came from, so that loading it gives the same description.
+[[nodiscard]] std::string effective_configuration(const Scene& scene, const Machine& machine);
+
+}  // namespace maquette::sim

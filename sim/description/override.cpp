@@ -1,0 +1,84 @@
+#include "sim/description/override.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "sim/description/description_error.hpp"
+#include "sim/description/yaml_reader.hpp"
+
+namespace maquette::sim {
+namespace {
+
+constexpr const char* k_option = "--set ";
+
+[[noreturn]] void fail(const Override::Step& step, const std::string& message) {
+  throw DescriptionError(step.place.position(), "`" + step.key + "`: " + message);
+}
+
+YamlNode& list_item(YamlNode& list, const Override::Step& step) {
+  std::size_t index = 0;
+  const char* end = step.key.data() + step.key.size();
+  const auto result = std::from_chars(step.key.data(), end, index);
+  if (result.ec != std::errc{} || result.ptr != end || index >= list.items.size()) {
+    fail(step, list.items.empty() ? "the list is empty"
+                                  : "a list stands here; a number from 0 to " +
+                                        std::to_string(list.items.size() - 1) + " is allowed");
+  }
+  return list.items[index];
+}
+
+YamlNode& mapping_value(YamlNode& mapping, const Override::Step& step) {
+  if (mapping.kind == YamlKind::null) {
+    mapping.kind = YamlKind::mapping;
+    mapping.place = step.place;
+  }
+  if (YamlNode* value = mapping.find(step.key)) {
+    return *value;
+  }
+  mapping.entries.push_back({step.key, step.place, {}});
+  return mapping.entries.back().value;
+}
+
+}  // namespace
+
+Override parse_override(const std::string& text) {
+  const auto file = std::make_shared<const std::string>(k_option + text);
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) {
+    throw DescriptionError({*file, 1, static_cast<int>(text.size()) + 1},
+                           "`=` is missing; path.to.parameter=value is allowed");
+  }
+  Override change;
+  for (std::size_t start = 0; start <= equals;) {
+    const std::size_t end = std::min(text.find('.', start), equals);
+    const YamlPlace place{file, 1, static_cast<int>(start) + 1};
+    if (end == start) {
+      throw DescriptionError(place.position(), "a name is missing in the path");
+    }
+    change.path.push_back({text.substr(start, end - start), place});
+    start = end + 1;
+  }
+  change.value = parse_yaml(text.substr(equals + 1), *file, static_cast<int>(equals) + 2);
+  return change;
+}
+
+void apply_override(YamlNode& root, const Override& change, std::size_t first) {
+  YamlNode* node = &root;
+  for (std::size_t i = first; i < change.path.size(); ++i) {
+    const Override::Step& step = change.path[i];
+    if (node->kind == YamlKind::scalar) {
+      fail(step, "a single value stands above it: " + node->kind_name());
+    }
+    node = node->kind == YamlKind::sequence ? &list_item(*node, step) : &mapping_value(*node, step);
+  }
+  *node = change.value;
+}
+
+bool is_from_override(const YamlPlace& place) {
+  return place.file && place.file->rfind(k_option, 0) == 0;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,54 @@
+#include "sim/description/scene_checks.hpp"
+
+#include <glm/geometric.hpp>
+
+#include <string>
+#include <string_view>
+
+#include "sim/description/description_error.hpp"
+
+namespace maquette::sim {
+namespace {
+
+[[noreturn]] void fail(const YamlNode& root, std::string_view key, const std::string& message) {
+  throw DescriptionError(nearest_node(root, key).place.position(),
+                         std::string{key} + ": " + message);
+}
+
+}  // namespace
+
+void check_view(const View& view, const YamlNode& node) {
+  if (view.eye == view.target) {
+    fail(node, "target", "it is where the eye is, so there is no direction to look");
+  }
+  // The cross product of unit vectors is the sine of the angle between them.
+  constexpr double k_least_sine = 1e-9;
+  const Vector3 direction = glm::normalize(view.target - view.eye);
+  const Vector3 up = glm::normalize(view.up);
+  if (view.up == Vector3{0, 0, 0} || !(glm::length(glm::cross(direction, up)) > k_least_sine)) {
+    fail(node, "up", "it has no part across the direction from eye to target; another is allowed");
+  }
+  if (view.field_of_view_deg.has_value() == view.screen.has_value()) {
+    fail(node, view.screen ? "screen" : "view",
+         "one of field_of_view, screen is allowed and needed");
+  }
+}
+
+void check_surface(const Surface& surface, const YamlNode& node) {
+  if (surface.metal && surface.transparent) {
+    fail(node, "transparent", "a metal is opaque; false is allowed");
+  }
+  if (!surface.metal && surface.index != Color{surface.index.x}) {
+    fail(node, "index", "a dielectric has the same index for the three colours");
+  }
+  if (surface.metal &&
+      (surface.index.x + surface.extinction.x == 0 || surface.index.y + surface.extinction.y == 0 ||
+       surface.index.z + surface.extinction.z == 0)) {
+    fail(node, "metal", "index and extinction are both 0 for one colour");
+  }
+  if (!surface.transparent && surface.absorption != Color{0, 0, 0}) {
+    fail(node, "absorption", "it needs `transparent: true`");
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "sim/description/scene.hpp"
+#include "sim/description/yaml_node.hpp"
+
+namespace maquette::sim {
+
+/// Checks what no single value shows; `node` is what the value was read from. Throws
+/// DescriptionError.
+void check_view(const View& view, const YamlNode& node);
+void check_surface(const Surface& surface, const YamlNode& node);
+
+}  // namespace maquette::sim
