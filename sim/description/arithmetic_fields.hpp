@@ -30,6 +30,8 @@ template <class Visitor>
 void declare_arithmetic(Visitor& visitor, Machine& machine) {
   models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
   visitor.field(required("name", "name of the cost table"), machine.arithmetic_name, TextType{});
+  visitor.field(required("code", "of the package in a board's RAM, loaded by the host"),
+                costs.package_bytes, WholeType{WholeDimension::memory, {0, 16 * 1024 * 1024}});
   for (std::size_t i = 0; i < costs.operations.size(); ++i) {
     const char* name = firmware::k_operation_names[i];
     visitor.group(required(name, "cost of this operation"), [&, i] {

@@ -90,9 +90,8 @@ void declare_board(Visitor& visitor, Machine& machine) {
                 k_clock);
   declare_board_memory(visitor, board);
   visitor.group({"call_overhead", "added to every call of the arithmetic package"}, [&] {
-    declare_cost(
-        visitor, board.call_overhead,
-        "MC68000 instruction times: JSR 20(3/2), two operands 32(8/0), result 16(2/2) [I]");
+    declare_cost(visitor, board.call_overhead,
+                 "MC68000 instruction times: JSR 20(3/2), one operand 16(4/0), result 16(2/2) [I]");
   });
   visitor.group(required("arithmetic", "cost of every operation"),
                 [&] { declare_arithmetic(visitor, machine); });

@@ -64,8 +64,11 @@ std::string with_unit(const std::string& number, std::string_view unit) {
   return unit.empty() ? number : number + " " + std::string{unit};
 }
 
+/// Candidates come with growing units.
 void keep_shorter(std::string& shortest, const std::string& candidate) {
-  if (shortest.empty() || candidate.size() < shortest.size()) {
+  const bool is_below_one = candidate.rfind("0.", 0) == 0;
+  if (shortest.empty() || candidate.size() < shortest.size() ||
+      (candidate.size() == shortest.size() && !is_below_one)) {
     shortest = candidate;
   }
 }

@@ -18,7 +18,7 @@ namespace maquette::sim {
 [[nodiscard]] std::int64_t parse_quantity(std::string_view text, WholeDimension dimension);
 
 /// The shortest text that reads back to the same value; of equally short ones the one with the
-/// smallest unit.
+/// largest unit that does not make it begin with "0.".
 [[nodiscard]] std::string format_quantity(double value, RealDimension dimension);
 [[nodiscard]] std::string format_quantity(std::int64_t value, WholeDimension dimension);
 
