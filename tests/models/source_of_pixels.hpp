@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "models/allotment.hpp"
+#include "models/pixel_source.hpp"
+
+/// A pixel source for tests: an allotted zone with work and colour given by functions.
+namespace maquette::models::traffic {
+
+class AllottedPixels : public PixelSource {
+ public:
+  using Colour = std::function<std::uint32_t(PixelPosition)>;
+  using Glue = std::function<std::uint32_t(PixelPosition)>;
+
+  /// Each pixel costs `glue(position)` branches.
+  AllottedPixels(PixelAllotment allotment, int boards, Colour colour, Glue glue,
+                 std::uint32_t preprocessing_branches)
+      : allotment_(std::move(allotment)),
+        colour_(std::move(colour)),
+        glue_(std::move(glue)),
+        taken_(static_cast<std::size_t>(boards)),
+        pixels_(static_cast<std::size_t>(boards)) {
+    preprocessing_[firmware::Operation::branch] = preprocessing_branches;
+  }
+
+  const SynthesizedPixel* next(int board) override {
+    const auto index = static_cast<std::size_t>(board);
+    if (taken_[index] == allotment_.count(board)) {
+      return nullptr;
+    }
+    const PixelPosition position = allotment_.pixel(board, taken_[index]++);
+    SynthesizedPixel& pixel = pixels_[index];
+    pixel = {static_cast<std::uint16_t>(position.column),
+             static_cast<std::uint16_t>(position.row),
+             colour_(position),
+             {1, 2, 3, 4},
+             {}};
+    pixel.work[firmware::Operation::branch] = glue_(position);
+    return &pixel;
+  }
+
+  [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
+
+ private:
+  PixelAllotment allotment_;
+  Colour colour_;
+  Glue glue_;
+  std::vector<std::int64_t> taken_;
+  std::vector<SynthesizedPixel> pixels_;
+  firmware::Work preprocessing_{};
+};
+
+/// A board on which a branch costs one clock of 8 MHz and nothing else does; no refresh.
+inline Kvm02Parameters plain_board() {
+  Kvm02Parameters board;
+  board.refresh_period = Duration::zero();
+  board.arithmetic.operations[static_cast<std::size_t>(firmware::Operation::branch)].clocks = 1;
+  return board;
+}
+
+/// `count` boards, the first at the highest place; more than five share levels.
+inline std::vector<BusMasterPlace> places(int count) {
+  std::vector<BusMasterPlace> places;
+  for (int board = 0; board < count; ++board) {
+    places.push_back({3 - board % 4, board / 4});
+  }
+  return places;
+}
+
+}  // namespace maquette::models::traffic
