@@ -12,7 +12,6 @@ namespace {
 
 constexpr int k_component_bits = 8;
 constexpr std::uint32_t k_full_component = 0xFF;
-constexpr unsigned k_halves[] = {0, 4};  // shifts of the two counts of a pixel
 constexpr std::uint8_t k_once_each = 0x11;
 constexpr std::uint8_t k_full_count = 0xF;
 
@@ -46,7 +45,8 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
       bus_port("bus_port"),
       parameters_(parameters),
       plane_mask_(mask_of_planes(parameters)),
-      background_(background & plane_mask_) {
+      background_(background & plane_mask_),
+      unhindered_(to_sc_time(parameters.access_time)) {
   if (parameters.access_time < Duration::zero()) {
     throw std::invalid_argument("the access time of the frame memory must not be negative");
   }
@@ -83,17 +83,20 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
   const Instant asked = strobe != nullptr ? strobe->instant : kernel_now() + to_duration(delay);
   const Instant begun = slots_ ? slots_->earliest_access(asked) : asked;
   const Instant done = begun + parameters_.access_time;
-  delay += to_sc_time(done - asked);
+  delay += begun == asked ? unhindered_ : to_sc_time(done - asked);
+  const std::uint64_t address = payload.get_address();
+  const unsigned bytes = payload.get_data_length();
   if (payload.is_read()) {
-    read(payload.get_address(), payload.get_data_ptr(), payload.get_data_length());
+    read(address, payload.get_data_ptr(), bytes);
     return;
   }
-  write(payload.get_address(), payload.get_data_ptr(), payload.get_data_length());
-  const auto first = static_cast<std::size_t>(payload.get_address() / k_pixel_bytes);
-  const auto last = static_cast<std::size_t>(
-      (payload.get_address() + payload.get_data_length() - 1) / k_pixel_bytes);
-  for (std::size_t pixel = first; log_ && pixel <= last; ++pixel) {
-    log_->push_back({done, static_cast<std::uint32_t>(pixel), shown(stored_[pixel])});
+  write(address, payload.get_data_ptr(), bytes);
+  count_write(address, bytes);
+  if (log_) {
+    for (auto pixel = address / k_pixel_bytes; pixel * k_pixel_bytes < address + bytes; ++pixel) {
+      log_->push_back({done, static_cast<std::uint32_t>(pixel),
+                       shown(stored_[static_cast<std::size_t>(pixel)])});
+    }
   }
 }
 
@@ -118,11 +121,15 @@ void FrameMemory::write(std::uint64_t address, const unsigned char* data, unsign
       const std::uint32_t component = static_cast<std::uint32_t>(data[offset]) << shift;
       stored_[pixel] = (stored_[pixel] & ~(k_full_component << shift)) | (component & plane_mask_);
     }
-    if (byte % 2 == 0) {
-      const unsigned half = k_halves[byte / 2];
-      const unsigned count = (write_counts_[pixel] >> half) & k_full_count;
-      write_counts_[pixel] = static_cast<std::uint8_t>(write_counts_[pixel] +
-                                                       ((count < k_full_count ? 1U : 0U) << half));
+  }
+}
+
+void FrameMemory::count_write(std::uint64_t address, unsigned bytes) {
+  for (std::uint64_t half = address / 2; half < (address + bytes + 1) / 2; ++half) {
+    std::uint8_t& counts = write_counts_[static_cast<std::size_t>(half / 2)];
+    const unsigned shift = half % 2 == 0 ? 0 : 4;
+    if (((counts >> shift) & k_full_count) != k_full_count) {
+      counts = static_cast<std::uint8_t>(counts + (1U << shift));
     }
   }
 }

@@ -64,6 +64,7 @@ class FrameMemory : public sc_core::sc_module {
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
   [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;
   void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
+  void count_write(std::uint64_t address, unsigned bytes);
   void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;
   [[nodiscard]] std::uint32_t shown(std::uint32_t stored) const;
 
@@ -71,6 +72,7 @@ class FrameMemory : public sc_core::sc_module {
   std::optional<VideoSlots> slots_;
   std::uint32_t plane_mask_;
   std::uint32_t background_;
+  sc_core::sc_time unhindered_;             // an access that no slot delays
   std::vector<std::uint32_t> stored_;       // 0xRRGGBB, bits without a plane zero
   std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
   std::optional<std::vector<PixelWriteRecord>> log_;

@@ -15,8 +15,6 @@ constexpr double k_millihertz_per_hertz = 1e3;
 constexpr std::int64_t k_ps_millihertz = 1'000'000'000'000'000;
 constexpr double k_highest_hertz = 1e12;
 
-Wide product(std::int64_t a, std::int64_t b) { return static_cast<Wide>(a) * b; }
-
 }  // namespace
 
 Period::Period(std::int64_t numerator_ps, std::int64_t denominator)
@@ -42,22 +40,8 @@ Period Period::multiplied(std::int64_t factor) const {
   return {numerator_ps_ * (factor / divisor), denominator_ / divisor};
 }
 
-Duration Period::times(std::int64_t n) const {
-  return Duration{static_cast<std::int64_t>(product(n, numerator_ps_) / denominator_)};
-}
-
-std::int64_t Period::index_at(Duration elapsed) const {
-  // floor(n p / q) <= t  <=>  n p < (t + 1) q  <=>  n <= ((t + 1) q - 1) / p
-  return static_cast<std::int64_t>((product(elapsed.count() + 1, denominator_) - 1) /
-                                   numerator_ps_);
-}
-
-std::int64_t Period::count_to_cover(Duration span) const {
-  if (span <= Duration::zero()) {
-    return 0;
-  }
-  return static_cast<std::int64_t>((product(span.count(), denominator_) + numerator_ps_ - 1) /
-                                   numerator_ps_);
+std::int64_t Period::divide_wide(std::int64_t a, std::int64_t b, std::int64_t d, std::int64_t c) {
+  return static_cast<std::int64_t>((static_cast<Wide>(a) * b + c) / d);
 }
 
 }  // namespace maquette::models

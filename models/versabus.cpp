@@ -54,11 +54,11 @@ int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusM
   if (master.place.level < 0 || master.place.level >= k_levels) {
     throw std::invalid_argument("master " + master.name + " must have a level from 0 to 4");
   }
-  for (const auto& other : masters_) {
-    const BusMasterPlace& place = other->description.place;
-    if (place.level == master.place.level && place.position == master.place.position) {
+  for (std::size_t other = 0; other < places_.size(); ++other) {
+    if (places_[other].level == master.place.level &&
+        places_[other].position == master.place.position) {
       throw std::invalid_argument("master " + master.name + " has the place of master " +
-                                  other->description.name);
+                                  master_name(static_cast<int>(other)));
     }
   }
   if (master.access.access_clocks < 1) {
@@ -70,6 +70,7 @@ int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusM
   added.access.set_extension(&added.strobe);
   added.access.set_byte_enable_ptr(nullptr);
   requests_.push_back(k_never);
+  places_.push_back(master.place);
   ++computing_;
   ++unpromised_;
   statistics_.masters.emplace_back();
@@ -193,9 +194,9 @@ Instant VersaBus::next_decision() const {
 Instant VersaBus::earliest_clear_request() const {
   Instant earliest = k_never;
   if (policy_ == ArbitrationPolicy::priority) {
-    const int level = masters_[static_cast<std::size_t>(holder_)]->description.place.level;
+    const int level = places_[static_cast<std::size_t>(holder_)].level;
     for (std::size_t id = 0; id < requests_.size(); ++id) {
-      if (masters_[id]->description.place.level > level) {
+      if (places_[id].level > level) {
         earliest = std::min(earliest, std::max(requests_[id], free_at_));
       }
     }
@@ -228,7 +229,7 @@ int VersaBus::arbitrate(Instant instant) {
   contenders_.clear();
   for (std::size_t id = 0; id < requests_.size(); ++id) {
     if (requests_[id] <= instant) {
-      contenders_.push_back({static_cast<int>(id), masters_[id]->description.place});
+      contenders_.push_back({static_cast<int>(id), places_[id]});
     }
   }
   return contenders_.size() == 1 ? contenders_.front().master

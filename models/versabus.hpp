@@ -138,7 +138,8 @@ class VersaBus : public sc_core::sc_module {
   Duration timeout_;
 
   std::vector<std::unique_ptr<Master>> masters_;
-  std::vector<Instant> requests_;  // by master; k_never while it has none
+  std::vector<Instant> requests_;       // by master; k_never while it has none
+  std::vector<BusMasterPlace> places_;  // by master
   std::vector<Contender> contenders_;
   int computing_ = 0;        // active masters without a request
   int unpromised_ = 0;       // those of them that may post at any instant
