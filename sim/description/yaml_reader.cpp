@@ -171,7 +171,11 @@ class TreeBuilder : public YAML::EventHandler {
     if (father.node.kind == YamlKind::sequence) {
       father.node.items.push_back(std::move(node));
     } else if (father.awaits_value) {
-      father.node.entries.back().value = std::move(node);
+      YamlEntry& entry = father.node.entries.back();
+      entry.value = std::move(node);
+      if (entry.value.kind == YamlKind::null) {
+        entry.value.place = entry.place;  // the parser's mark is at what follows
+      }
       father.awaits_value = false;
     } else {
       if (node.kind != YamlKind::scalar) {
