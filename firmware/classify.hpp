@@ -66,8 +66,8 @@ std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, N
       continue;
     }
     charge<Real>(Operation::store, 6);
-    first[count++] = {in.distance, node, in.face, leaf.surface};
-    first[count++] = {out.distance, node, out.face, k_void};
+    first[count++] = {in.distance, node, in.face, false, leaf.surface};
+    first[count++] = {out.distance, node, out.face, true, k_void};
   }
   return count;
 }

@@ -13,6 +13,7 @@ struct Crossing {
   Real distance;        ///< in lengths of the ray's direction
   NodeIndex leaf;       ///< whose surface it is
   std::uint8_t face;    ///< of the primitive
+  bool outwards;        ///< the ray leaves the primitive here
   SurfaceIndex medium;  ///< behind the crossing: the surface of the body entered, or k_void
 };
 

@@ -47,12 +47,12 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
                                                 crossing.face, parameters);
   SurfacePoint<Real> point;
   point.position = transform_point(prepared.to_screen, settled);
-  point.normal = normalize(
+  const Vector<Real> outward = normalize(
       transform_normal(prepared.from_screen, primitive.normal(settled, crossing.face, parameters)));
+  // The way of the crossing, not a product with the direction: at a grazing point that rounding has
+  // moved, its sign may be wrong.
   charge<Real>(Operation::branch);
-  if (glm::dot(point.normal, query.ray.direction) > constant<Real>(0)) {
-    point.normal = -point.normal;
-  }
+  point.normal = crossing.outwards ? -outward : outward;
   point.clearance = (prepared.scale + magnitude(point.position)) *
                     (constant<Real>(k_clearance) * spacing<Real>());
   point.surface = visible_surface(frame, crossing, before);
