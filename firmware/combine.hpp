@@ -86,7 +86,9 @@ const Crossing<Real>& take_next(const Frame<Real>& frame, BooleanOperator combin
   if (coincide(frame.prepared, *a.next, *b.next)) {
     const Crossing<Real>& of_a = a.take();
     const Crossing<Real>& of_b = b.take();
-    const bool b_is_seen = combination == BooleanOperator::union_of && a.medium == k_void;
+    // Of two bodies that begin or end together the one is seen whose medium wins.
+    const bool b_is_seen = combination == BooleanOperator::union_of &&
+                           united_medium(frame.database.surfaces, a.medium, b.medium) == b.medium;
     return b_is_seen ? of_b : of_a;
   }
   return a.next->distance < b.next->distance ? a.take() : b.take();
@@ -123,7 +125,7 @@ template <class Real>
     const SurfaceIndex after = combined_medium(combination, surfaces, a.medium, b.medium);
     if (is_boundary(surfaces, medium, after)) {
       charge<Real>(Operation::store, 3);
-      result[count++] = {seen.distance, seen.leaf, seen.face, after};
+      result[count++] = {seen.distance, seen.leaf, seen.face, seen.outwards, after};
       medium = after;
     }
   }
