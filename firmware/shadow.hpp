@@ -18,8 +18,9 @@ template <class Real>
           exponential(-(surface.absorption.z * length))};
 }
 
-/// Attenuates by the passage of a transparent surface. The straight ray stands for a refracted one
-/// whose angle is that on the thinner side, so F is taken there; both ways give the same.
+/// Attenuates by the passage of a transparent surface, of which the specular share lets light
+/// through. The straight ray stands for a refracted one whose angle is that on the thinner side, so
+/// F is taken there; both ways give the same.
 template <class Real>
 [[gnu::noinline]] void pass_surface(const Frame<Real>& frame, const RayQuery<Real>& query,
                                     const Crossing<Real>& crossing, SurfaceIndex before,
@@ -29,8 +30,15 @@ template <class Real>
   const Real index = relative_index(frame.database, before, point.after, point.surface);
   const Real cosine = smaller(one, absolute(glm::dot(point.normal, query.ray.direction)));
   charge<Real>(Operation::branch);
+  charge<Real>(Operation::load);
   const Real reflected = dielectric_border(cosine, index < one ? one / index : index).reflected;
-  light *= one - reflected;
+  light *= frame.database.surfaces[point.surface].specular * (one - reflected);
+}
+
+/// Whether the matter that a ray enters at a crossing ends, at the next one, behind the origin.
+template <class Real>
+bool ends_behind(const Crossing<Real>* entry) {
+  return !(entry[1].distance > constant<Real>(0));
 }
 
 /// Attenuates `light` by the crossings of a node between the origin and the reach. Returns false
@@ -53,7 +61,8 @@ template <class Real>
     if (medium != k_void && is_ahead && surfaces[medium].absorbing) {
       light *= transmitted_over(surfaces[medium], crossing.distance - from);
     }
-    if (crossing.medium != k_void && !surfaces[crossing.medium].transparent) {
+    if (crossing.medium != k_void && !surfaces[crossing.medium].transparent &&
+        !ends_behind(&crossing)) {
       return false;
     }
     if (is_ahead) {
@@ -66,6 +75,22 @@ template <class Real>
     light *= transmitted_over(surfaces[medium], query.reach - from);
   }
   return true;
+}
+
+/// Whether opaque matter lies between the origin and the reach: what the combination leaves of the
+/// operands' spans may be all behind or beyond.
+template <class Real>
+bool is_stopped(const RayQuery<Real>& query, const Crossing<Real>* crossings, std::int32_t count) {
+  for (std::int32_t i = 0; i < count; i += 2) {
+    charge<Real>(Operation::loop);
+    if (crossings[i].distance > query.reach) {
+      return false;
+    }
+    if (!ends_behind(crossings + i)) {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Attenuates `light` by a node between the origin of the ray and its reach. Returns false when an
@@ -96,7 +121,7 @@ template <class Real>
   const std::int32_t count = cross(frame, query, node, first);
   charge<Real>(Operation::branch);
   if (!frame.prepared.extents[node].transparent) {
-    return count == 0;
+    return !is_stopped(query, first, count);
   }
   return pass_crossings(frame, query, first, count, light);
 }
