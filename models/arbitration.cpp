@@ -2,7 +2,7 @@
 
 namespace maquette::models {
 
-int choose(ArbitrationPolicy policy, const std::vector<Contender>& contenders, int previous) {
+int choose(ArbitrationPolicy policy, const Contenders& contenders, int previous) {
   return policy == ArbitrationPolicy::priority ? choose_by_priority(contenders)
                                                : choose_in_turn(contenders, previous);
 }

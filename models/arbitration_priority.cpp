@@ -15,7 +15,7 @@ bool comes_before(const Contender& a, const Contender& b) {
 
 }  // namespace
 
-int choose_by_priority(const std::vector<Contender>& contenders) {
+int choose_by_priority(const Contenders& contenders) {
   return std::min_element(contenders.begin(), contenders.end(), comes_before)->master;
 }
 

@@ -4,11 +4,13 @@
 
 namespace maquette::models {
 
-int choose_in_turn(const std::vector<Contender>& contenders, int previous) {
-  const auto next =
-      std::find_if(contenders.begin(), contenders.end(),
-                   [previous](const Contender& contender) { return contender.master > previous; });
-  return next == contenders.end() ? contenders.front().master : next->master;
+int choose_in_turn(const Contenders& contenders, int previous) {
+  const auto comes_before = [previous](const Contender& a, const Contender& b) {
+    const bool a_wraps = a.master <= previous;
+    const bool b_wraps = b.master <= previous;
+    return a_wraps != b_wraps ? b_wraps : a.master < b.master;
+  };
+  return std::min_element(contenders.begin(), contenders.end(), comes_before)->master;
 }
 
 }  // namespace maquette::models

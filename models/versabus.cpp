@@ -54,11 +54,11 @@ int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusM
   if (master.place.level < 0 || master.place.level >= k_levels) {
     throw std::invalid_argument("master " + master.name + " must have a level from 0 to 4");
   }
-  for (std::size_t other = 0; other < places_.size(); ++other) {
-    if (places_[other].level == master.place.level &&
-        places_[other].position == master.place.position) {
+  for (const auto& other : masters_) {
+    const BusMasterPlace& place = other->description.place;
+    if (place.level == master.place.level && place.position == master.place.position) {
       throw std::invalid_argument("master " + master.name + " has the place of master " +
-                                  master_name(static_cast<int>(other)));
+                                  other->description.name);
     }
   }
   if (master.access.access_clocks < 1) {
@@ -68,9 +68,8 @@ int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusM
   masters_.push_back(std::make_unique<Master>(master));
   Master& added = *masters_.back();
   added.access.set_extension(&added.strobe);
-  added.access.set_byte_enable_ptr(nullptr);
-  requests_.push_back(k_never);
-  places_.push_back(master.place);
+  added.access.set_data_length(word_bytes_);
+  added.access.set_streaming_width(word_bytes_);
   ++computing_;
   ++unpromised_;
   statistics_.masters.emplace_back();
@@ -130,11 +129,18 @@ void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
     fail("a burst of " + master.description.name + " needs one address per access");
   }
   burst.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  requests_[static_cast<std::size_t>(id)] = request;
+  master.access.set_command(burst.get_command());
+  enter(id, request);
   if (request < free_at_) {  // into an access that was decided before the request was known
     statistics_.waited_for[static_cast<std::size_t>(id)][static_cast<std::size_t>(previous_)] +=
         free_at_ - request;
   }
+}
+
+void VersaBus::enter(int id, Instant request) {
+  Master& master = at(id);
+  master.request = request;
+  requests_.insert({id, master.description.place, request});
 }
 
 void VersaBus::leave_computing(int id, State next) {
@@ -185,23 +191,22 @@ void VersaBus::advance() {
 
 Instant VersaBus::next_decision() const {
   if (holder_ != k_nobody) {
-    return std::min(requests_[static_cast<std::size_t>(holder_)], earliest_clear_request());
+    return std::min(at(holder_).request, earliest_clear_request());
   }
-  const auto earliest = std::min_element(requests_.begin(), requests_.end());
-  return earliest == requests_.end() ? k_never : std::max(*earliest, free_at_);
+  const Instant earliest = requests_.earliest();
+  return earliest == k_never ? k_never : std::max(earliest, free_at_);
 }
 
 Instant VersaBus::earliest_clear_request() const {
-  Instant earliest = k_never;
   if (policy_ == ArbitrationPolicy::priority) {
-    const int level = places_[static_cast<std::size_t>(holder_)].level;
-    for (std::size_t id = 0; id < requests_.size(); ++id) {
-      if (places_[id].level > level) {
-        earliest = std::min(earliest, std::max(requests_[id], free_at_));
+    const int level = at(holder_).description.place.level;
+    for (const Contender& other : requests_.up_to(at(holder_).request)) {
+      if (other.place.level > level) {
+        return std::max(other.request, free_at_);
       }
     }
   }
-  return earliest;
+  return k_never;
 }
 
 void VersaBus::decide(Instant instant) {
@@ -210,30 +215,18 @@ void VersaBus::decide(Instant instant) {
   }
   last_decision_ = instant;
   if (holder_ != k_nobody) {
-    const int holder = holder_;
-    statistics_.masters[static_cast<std::size_t>(holder)].held += instant - free_at_;
-    occupy(holder, free_at_, instant);
+    statistics_.masters[static_cast<std::size_t>(holder_)].held += instant - free_at_;
+    occupy(holder_, free_at_, instant);
     if (earliest_clear_request() > instant) {
-      transfer(holder, instant, instant);
+      transfer(holder_, instant, instant);
       return;
     }
     holder_ = k_nobody;
     free_at_ = instant;
   }
-  const int winner = arbitrate(instant);
+  const int winner = choose(policy_, requests_.up_to(instant), previous_);
   const bool handover = previous_ != k_nobody && previous_ != winner;
   transfer(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_));
-}
-
-int VersaBus::arbitrate(Instant instant) {
-  contenders_.clear();
-  for (std::size_t id = 0; id < requests_.size(); ++id) {
-    if (requests_[id] <= instant) {
-      contenders_.push_back({static_cast<int>(id), places_[id]});
-    }
-  }
-  return contenders_.size() == 1 ? contenders_.front().master
-                                 : choose(policy_, contenders_, previous_);
 }
 
 // ---- one access ----
@@ -249,15 +242,12 @@ void VersaBus::transfer(int id, Instant decision, Instant grant) {
   Master& master = at(id);
   const std::uint64_t address = next_address(master);
   const AccessResult result = access_slave(master, address, grant);
-  const BusAccess access{id,
-                         address,
-                         master.burst->is_write(),
-                         requests_[static_cast<std::size_t>(id)],
-                         grant,
-                         grant + result.duration};
+  const BusAccess access{
+      id, address, master.burst->is_write(), master.request, grant, grant + result.duration};
   if (access.request > decision || decision > grant || grant >= access.end) {
     fail("an access of master " + master.description.name + " runs backwards");
   }
+  requests_.remove(id);
   occupy(id, decision, access.end);
   record(id, access, decision);
   free_at_ = access.end;
@@ -274,12 +264,9 @@ VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t addr
     return {unanswered, tlm::TLM_ADDRESS_ERROR_RESPONSE};
   }
   tlm::tlm_generic_payload& access = master.access;
-  access.set_command(master.burst->get_command());
   access.set_address(address - address_map_[slave].base);
   access.set_data_ptr(master.burst->get_data_ptr() +
                       static_cast<std::size_t>(master.transaction->accesses) * word_bytes_);
-  access.set_data_length(word_bytes_);
-  access.set_streaming_width(word_bytes_);
   access.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   master.strobe.instant = strobe;
 
@@ -307,7 +294,7 @@ void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
     complete(id, end, status);
   } else {
     holder_ = transaction.block ? id : k_nobody;
-    requests_[static_cast<std::size_t>(id)] = end + transaction.gap;
+    enter(id, end + transaction.gap);
   }
 }
 
@@ -319,17 +306,17 @@ void VersaBus::complete(int id, Instant end, tlm::tlm_response_status status) {
   master.completed_at = end;
   ++computing_;
   unpromised_ += master.promised ? 0 : 1;
-  requests_[static_cast<std::size_t>(id)] = k_never;
   master.completed.notify(to_sc_time(end - kernel_now()));
 }
 
 // ---- what is counted ----
 
 void VersaBus::occupy(int id, Instant from, Instant to) {
-  for (std::size_t other = 0; other < requests_.size(); ++other) {
-    if (requests_[other] < to && static_cast<int>(other) != id) {
-      statistics_.waited_for[other][static_cast<std::size_t>(id)] +=
-          to - std::max(requests_[other], from);
+  for (const Contender& other : requests_.up_to(to)) {
+    if (other.master != id) {
+      statistics_
+          .waited_for[static_cast<std::size_t>(other.master)][static_cast<std::size_t>(id)] +=
+          to - std::max(other.request, from);
     }
   }
 }

@@ -16,6 +16,7 @@
 #include "models/bus_statistics.hpp"
 #include "models/bus_transaction.hpp"
 #include "models/machine_parameters.hpp"
+#include "models/request_queue.hpp"
 
 namespace maquette::models {
 
@@ -92,6 +93,7 @@ class VersaBus : public sc_core::sc_module {
 
     BusMaster description;
     State state = State::computing;
+    Instant request{};      // of the access that is next
     bool promised = false;  // to post or retire in the instant `completed_at`
     Instant completed_at{};
     tlm::tlm_generic_payload* burst = nullptr;
@@ -112,12 +114,12 @@ class VersaBus : public sc_core::sc_module {
   unsigned transport_dbg(int id, tlm::tlm_generic_payload& payload);
 
   void post(int id, tlm::tlm_generic_payload& burst, Instant request);
+  void enter(int id, Instant request);
   void leave_computing(int id, State next);
   void advance();
   [[nodiscard]] Instant next_decision() const;
   [[nodiscard]] Instant earliest_clear_request() const;
   void decide(Instant instant);
-  int arbitrate(Instant instant);
   void transfer(int id, Instant decision, Instant grant);
   AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
   void occupy(int id, Instant from, Instant to);
@@ -125,7 +127,7 @@ class VersaBus : public sc_core::sc_module {
   void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
   void complete(int id, Instant end, tlm::tlm_response_status status);
   [[nodiscard]] std::uint64_t next_address(const Master& master) const;
-  Master& at(int id) { return *masters_[static_cast<std::size_t>(id)]; }
+  [[nodiscard]] Master& at(int id) const { return *masters_[static_cast<std::size_t>(id)]; }
 
   tlm_utils::multi_passthrough_target_socket<VersaBus> master_sockets_;
   tlm_utils::multi_passthrough_initiator_socket<VersaBus> slave_sockets_;
@@ -138,9 +140,7 @@ class VersaBus : public sc_core::sc_module {
   Duration timeout_;
 
   std::vector<std::unique_ptr<Master>> masters_;
-  std::vector<Instant> requests_;       // by master; k_never while it has none
-  std::vector<BusMasterPlace> places_;  // by master
-  std::vector<Contender> contenders_;
+  RequestQueue requests_;
   int computing_ = 0;        // active masters without a request
   int unpromised_ = 0;       // those of them that may post at any instant
   int holder_ = k_nobody;    // keeps the bus between two accesses

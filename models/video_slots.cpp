@@ -47,11 +47,12 @@ Instant VideoSlots::earliest_access(Instant instant) const {
   if (timing_.row_of_line(line) >= 0) {
     const Instant active = timing_.active_start(line);
     const std::int64_t slot = instant < active ? 0 : slot_period_.index_at(instant - active);
-    for (std::int64_t near = slot; near < std::min(slot + 2, slots_per_line_); ++near) {
-      access = clear_of(access, active + slot_period_.times(near));
+    if (slot < slots_per_line_) {
+      access = clear_of(access, active + slot_period_.times(slot));
     }
-    if (slot + 2 <= slots_per_line_) {
-      return access;  // another slot of this line stands before the next line's
+    if (slot + 1 < slots_per_line_) {
+      // Past that slot it fits before the next one; before it, the next one is far.
+      return access == instant ? clear_of(access, active + slot_period_.times(slot + 1)) : access;
     }
   }
   if (timing_.row_of_line(line + 1) >= 0) {

@@ -108,10 +108,12 @@ class Oracle {
     std::vector<Contender> contenders;
     for (std::size_t master = 0; master < queues_.size(); ++master) {
       if (queues_[master].request <= instant) {
-        contenders.push_back({static_cast<int>(master), queues_[master].script.place});
+        contenders.push_back(
+            {static_cast<int>(master), queues_[master].script.place, queues_[master].request});
       }
     }
-    return choose(parameters_.arbitration, contenders, previous_);
+    return choose(parameters_.arbitration,
+                  {contenders.data(), contenders.data() + contenders.size()}, previous_);
   }
 
   void grant(int master, Instant instant) {
