@@ -10,6 +10,7 @@
 #include <map>
 
 #include "sim/report/flat_yaml.hpp"
+#include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 
 namespace maquette::sim {
@@ -47,8 +48,12 @@ bool same_value(const std::string& first, const std::string& second) {
   return from && from == as_number(second);
 }
 
-Picture read_picture(const std::filesystem::path& file) {
+models::Picture read_picture(const std::filesystem::path& file) {
   return decode_png(read_file(file), file.string());
+}
+
+int channel_of(std::uint32_t pixel, std::size_t channel) {
+  return static_cast<int>(pixel >> (16 - 8 * channel) & 0xff);
 }
 
 std::string value_lines(const std::string& title, const std::vector<ValueDifference>& differences) {
@@ -109,28 +114,27 @@ std::vector<ValueDifference> compare_values(const FlatValues& first, const FlatV
   return differences;
 }
 
-PictureDifference compare_pictures(const Picture& first, const Picture& second) {
+PictureDifference compare_pictures(const models::Picture& first, const models::Picture& second) {
   PictureDifference difference{
       {first.width, first.height}, {second.width, second.height}, 0, {}, {}};
   if (difference.first_size != difference.second_size) {
     difference.pixels =
-        static_cast<std::int64_t>(std::max(first.rgb.size(), second.rgb.size()) / 3);
+        static_cast<std::int64_t>(std::max(first.pixels.size(), second.pixels.size()));
     return difference;
   }
   std::array<std::int64_t, 3> sums{};
-  for (std::size_t pixel = 0; pixel < first.rgb.size(); pixel += 3) {
-    bool differs = false;
+  for (std::size_t i = 0; i < first.pixels.size(); ++i) {
+    difference.pixels += first.pixels[i] != second.pixels[i] ? 1 : 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      const int change = std::abs(first.rgb[pixel + channel] - second.rgb[pixel + channel]);
-      differs |= change != 0;
+      const int change =
+          std::abs(channel_of(first.pixels[i], channel) - channel_of(second.pixels[i], channel));
       sums[channel] += change;
       difference.largest[channel] = std::max(difference.largest[channel], change);
     }
-    difference.pixels += differs ? 1 : 0;
   }
   for (std::size_t channel = 0; channel < 3; ++channel) {
     difference.mean[channel] =
-        3 * static_cast<double>(sums[channel]) / static_cast<double>(first.rgb.size());
+        static_cast<double>(sums[channel]) / static_cast<double>(first.pixels.size());
   }
   return difference;
 }

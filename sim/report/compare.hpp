@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "models/picture.hpp"
 #include "sim/report/flat_json.hpp"
-#include "sim/report/image_file.hpp"
 
 namespace maquette::sim {
 
@@ -44,7 +44,7 @@ struct RunComparison {
 /// are written differently and mean the same (1 and 1.0) do not differ.
 std::vector<ValueDifference> compare_values(const FlatValues& first, const FlatValues& second);
 
-PictureDifference compare_pictures(const Picture& first, const Picture& second);
+PictureDifference compare_pictures(const models::Picture& first, const models::Picture& second);
 
 /// Compares config.yaml, stats.json and frame.png of two run directories. Throws DescriptionError
 /// when one of them is missing or damaged.

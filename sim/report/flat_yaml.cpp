@@ -10,8 +10,8 @@ namespace {
 void flatten(const YAML::Node& node, const std::string& path, FlatValues& values) {
   if (node.IsMap()) {
     for (const auto& member : node) {
-      const auto key = member.first.as<std::string>();
-      flatten(member.second, path.empty() ? key : path + "." + key, values);
+      const std::string prefix = path.empty() ? "" : path + ".";
+      flatten(member.second, prefix + member.first.as<std::string>(), values);
     }
   } else if (node.IsSequence()) {
     for (std::size_t i = 0; i < node.size(); ++i) {

@@ -109,7 +109,7 @@ struct BoardStatistics {
   }
 };
 
-/// How long one bus master waited for grants.
+/// How long one bus master waited for grants during the frame.
 struct MasterStatistics {
   std::string name;
   std::int64_t transfers = 0;

@@ -62,7 +62,7 @@ class Writer {
     open('{');
     for_each_field<Group>([this, &group](const auto& field) {
       key(field.name);
-      write(group.*field.member);
+      this->write(group.*field.member);
     });
     close('}');
   }
@@ -154,7 +154,7 @@ class Reader {
   template <typename Group>
   std::enable_if_t<k_has_fields<Group>> read(const std::string& path, Group& group) {
     for_each_field<Group>([this, &path, &group](const auto& field) {
-      read(joined(path, field.name), group.*field.member);
+      this->read(joined(path, field.name), group.*field.member);
     });
   }
 
@@ -165,9 +165,10 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] bool holds(const std::string& group) const {
-    const auto first = values_.lower_bound(group + ".");
-    return first != values_.end() && first->first.compare(0, group.size(), group) == 0;
+  // Whether there is an element of this path, which ends in ']', or something in it.
+  [[nodiscard]] bool holds(const std::string& element) const {
+    const auto first = values_.lower_bound(element);
+    return first != values_.end() && first->first.compare(0, element.size(), element) == 0;
   }
 
   std::string take(const std::string& path) {

@@ -5,9 +5,11 @@
 
 #include "sim/description/description_error.hpp"
 #include "sim/report/compare.hpp"
+#include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
+using maquette::models::Picture;
 using namespace maquette::sim;
 using maquette::tests::ScratchDirectory;
 
@@ -15,8 +17,8 @@ namespace {
 
 Picture noise(std::mt19937& random, int width, int height) {
   Picture picture{width, height, {}};
-  for (int i = 0; i < width * height * 3; ++i) {
-    picture.rgb.push_back(static_cast<std::uint8_t>(random()));
+  for (int i = 0; i < width * height; ++i) {
+    picture.pixels.push_back(static_cast<std::uint32_t>(random() & 0xffffff));
   }
   return picture;
 }
@@ -92,13 +94,15 @@ TEST_CASE("pictures: count, largest and mean of planted changes") {
     std::array<std::int64_t, 3> sums{};
     std::set<std::size_t> places;
     for (auto count = random() % 20; count > 0; --count) {
-      const std::size_t place = random() % first.rgb.size();
+      const std::size_t place = random() % (3 * first.pixels.size());
       if (!places.insert(place).second) {
         continue;
       }
-      const int from = first.rgb[place];
+      const auto shift = static_cast<int>(16 - 8 * (place % 3));
+      const auto from = static_cast<int>(first.pixels[place / 3] >> shift & 0xff);
       const int change = static_cast<int>(1 + random() % 127);
-      second.rgb[place] = static_cast<std::uint8_t>(from < 128 ? from + change : from - change);
+      const int to = from < 128 ? from + change : from - change;
+      second.pixels[place / 3] ^= static_cast<std::uint32_t>(from ^ to) << shift;
       pixels.insert(place / 3);
       largest[place % 3] = std::max(largest[place % 3], change);
       sums[place % 3] += change;
@@ -150,7 +154,7 @@ TEST_CASE("runs: equal ones are equal, and each kind of difference is told") {
   }
   SECTION("picture") {
     Picture changed = picture;
-    changed.rgb[4] = static_cast<std::uint8_t>(changed.rgb[4] ^ 64);
+    changed.pixels[1] ^= 64U << 8;
     write_run(scratch.path() / "b", configuration, statistics, changed);
     const auto comparison = compare_with_b();
     CHECK_FALSE(comparison.equal());
