@@ -21,8 +21,8 @@ inline constexpr std::int64_t k_light_bytes = 6 * k_real_bytes;
 /// Both frames, left, top, step, columns, rows.
 inline constexpr std::int64_t k_observer_bytes =
     2 * k_affine_bytes + 3 * k_real_bytes + 2 * k_word_bytes;
-/// Counts, root, ambient, background, ray tree, needs.
-inline constexpr std::int64_t k_header_bytes = 16 * k_word_bytes + 7 * k_real_bytes;
+/// Three counts and the root as long words, three words, the needs as bits; ambient, background, least weight.
+inline constexpr std::int64_t k_header_bytes = 13 * k_word_bytes + 7 * k_real_bytes;
 
 /// Both frames and the scale.
 inline constexpr std::int64_t k_prepared_leaf_bytes = 2 * k_affine_bytes + k_real_bytes;
@@ -38,11 +38,14 @@ inline constexpr std::int64_t k_pending_ray_bytes = 9 * k_real_bytes + k_word_by
 
 /// A surface: flags and share always, the rest only where the scene needs it.
 constexpr std::int64_t surface_bytes(const Needs& needs) {
-  std::int64_t bytes = 2 * k_word_bytes;
+  std::int64_t bytes = k_word_bytes + k_real_bytes;
   bytes += needs.diffuse ? 3 * k_real_bytes : 0;
-  bytes += needs.specular ? 3 * k_real_bytes : 0;
-  bytes += needs.metals ? 5 * k_real_bytes : 0;
-  bytes += needs.dielectrics ? k_real_bytes : 0;
+  bytes += needs.specular ? 2 * k_real_bytes : 0;
+  if (needs.metals) {
+    bytes += 6 * k_real_bytes;
+  } else if (needs.dielectrics) {
+    bytes += k_real_bytes;
+  }
   bytes += needs.absorption ? 3 * k_real_bytes : 0;
   return bytes;
 }

@@ -53,16 +53,6 @@ LocalFrame local_frame_of(const Object& primitive) {
   return {firmware::PrimitiveKind::half_space, std::nullopt, Placement(1.0)};
 }
 
-Placement concatenated(const Placement& outer, const Placement& inner) {
-  Placement result;
-  for (int column = 0; column < 4; ++column) {
-    result[column] =
-        outer[0] * inner[column].x + outer[1] * inner[column].y + outer[2] * inner[column].z;
-  }
-  result[3] += outer[3];
-  return result;
-}
-
 Placement inverse_of(const Placement& placement) {
   const Vector3& x = placement[0];
   const Vector3& y = placement[1];

@@ -19,9 +19,6 @@ struct LocalFrame {
 /// radii is a cylinder.
 LocalFrame local_frame_of(const Object& primitive);
 
-/// First `inner`, then `outer`.
-Placement concatenated(const Placement& outer, const Placement& inner);
-
 /// The inverse of an affine placement that is not singular.
 Placement inverse_of(const Placement& placement);
 

@@ -18,11 +18,12 @@ std::int64_t line_buffer_bytes(const Machine& machine) {
   return keeps_line ? std::int64_t{machine.parameters.frame_memory.width} * 4 : 0;
 }
 
-void refuse_above(std::int64_t needed, std::int64_t available, const char* what,
-                  const char* parameter) {
+void refuse_above(const SourcePosition& position, std::int64_t needed, std::int64_t available,
+                  const char* what, const char* parameter) {
   if (needed > available) {
-    throw DescriptionError(fmt::format("the scene needs {} {}, the board has {}; raise {}", needed,
-                                       what, available, parameter));
+    throw DescriptionError(
+        position, fmt::format("the scene needs {} {}, the board has {}; raise {}", needed, what,
+                              available, parameter));
   }
 }
 
@@ -58,16 +59,19 @@ MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_heigh
   return map;
 }
 
-void check_memory(const MemoryMap& map, const Machine& machine) {
-  refuse_above(map.crossings_needed, machine.crossing_capacity, "crossings of a ray",
+void check_memory(const MemoryMap& map, const Machine& machine, const SourcePosition& position) {
+  refuse_above(position, map.crossings_needed, machine.crossing_capacity, "crossings of a ray",
                "board.crossings");
-  refuse_above(map.rays_needed, machine.ray_capacity, "waiting rays", "board.waiting_rays");
-  refuse_above(map.stack_needed_bytes, machine.stack_bytes, "bytes of stack", "board.stack");
+  refuse_above(position, map.rays_needed, machine.ray_capacity, "waiting rays",
+               "board.waiting_rays");
+  refuse_above(position, map.stack_needed_bytes, machine.stack_bytes, "bytes of stack",
+               "board.stack");
   if (!map.fits() && !machine.allow_memory_overflow) {
-    throw DescriptionError(fmt::format(
-        "the scene takes {} bytes of a board's RAM, {} more than its {}; raise board.ram, or set "
-        "board.allow_overflow=true to simulate it all the same",
-        map.used_bytes, map.used_bytes - map.ram_bytes, map.ram_bytes));
+    throw DescriptionError(
+        position, fmt::format("the scene takes {} bytes of a board's RAM, {} more than its {}; "
+                              "raise board.ram, or set "
+                              "board.allow_overflow=true to simulate it all the same",
+                              map.used_bytes, map.used_bytes - map.ram_bytes, map.ram_bytes));
   }
 }
 

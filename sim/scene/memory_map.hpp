@@ -6,6 +6,7 @@
 
 #include "firmware/database.hpp"
 #include "sim/description/machine.hpp"
+#include "sim/description/source_position.hpp"
 
 namespace maquette::sim {
 
@@ -35,8 +36,8 @@ template <class Real>
 MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_height,
                         const Machine& machine);
 
-/// Throws DescriptionError, with the figures, when a work area is too small for the scene or when
-/// the scene does not fit into RAM (the latter unless the machine allows it).
-void check_memory(const MemoryMap& map, const Machine& machine);
+/// Throws DescriptionError at `position`, with the figures, when a work area is too small for the
+/// scene or when the scene does not fit into RAM (the latter unless the machine allows it).
+void check_memory(const MemoryMap& map, const Machine& machine, const SourcePosition& position);
 
 }  // namespace maquette::sim

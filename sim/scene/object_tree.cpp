@@ -4,6 +4,7 @@
 #include <limits>
 #include <unordered_map>
 
+#include "sim/description/placement.hpp"
 #include "sim/scene/local_frame.hpp"
 
 namespace maquette::sim {

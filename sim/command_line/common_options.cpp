@@ -1,0 +1,42 @@
+#include "sim/command_line/common_options.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+/// The project's root, which holds models/; known when the program is built.
+constexpr const char* k_project_directory = MAQUETTE_PROJECT_DIRECTORY;
+
+}  // namespace
+
+void add_common_options(CLI::App& verb, CommonOptions& options) {
+  verb.add_option("SCENE", options.scene, "scene description, or a run's config.yaml")
+      ->required()
+      ->type_name("FILE");
+  verb.add_option("--machine", options.machine,
+                  "machine description (default: what the scene names, else ccett-1984)")
+      ->type_name("FILE");
+  verb.add_option("--set", options.overrides,
+                  "give a parameter another value, e.g. processors=8 (repeatable)")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+DescriptionSources sources_of(const CommonOptions& options) {
+  DescriptionSources sources;
+  sources.scene_file = options.scene;
+  if (!options.machine.empty()) {
+    sources.machine = options.machine;
+  }
+  sources.overrides = options.overrides;
+  sources.models_directory = std::string(k_project_directory) + "/models";
+  return sources;
+}
+
+std::string path_for_results(const std::string& path) {
+  const std::string prefix = std::string(k_project_directory) + "/";
+  return path.compare(0, prefix.size(), prefix) == 0 ? path.substr(prefix.size()) : path;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,161 @@
+#include "sim/command_line/run_command.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <thread>
+
+#include "sim/command_line/common_options.hpp"
+#include "sim/description/description_error.hpp"
+#include "sim/description/quantity.hpp"
+#include "sim/report/image_file.hpp"
+#include "sim/report/manifest.hpp"
+#include "sim/report/progress.hpp"
+#include "sim/report/run_directory.hpp"
+#include "sim/report/seconds.hpp"
+#include "sim/report/statistics_json.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/simulation.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+constexpr int k_exit_interrupted = 130;  // 128 + SIGINT, as shells have it
+
+struct RunOptions {
+  CommonOptions common;
+  std::string outdir;
+  std::string processor = "counted";
+  std::string bus = "transaction";
+  int threads = 0;
+  std::vector<std::string> snapshots;
+  std::vector<std::string> shown_snapshots;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& verb, RunOptions& options) {
+  add_common_options(verb, options.common);
+  verb.add_option("--outdir", options.outdir, "run directory (default: runs/NAME-OF-SCENE)")
+      ->type_name("DIR");
+  verb.add_option("--processor", options.processor, "where pixels come from")
+      ->check(CLI::IsMember({"counted"}))
+      ->capture_default_str();
+  verb.add_option("--bus", options.bus, "how the bus behaves")
+      ->check(CLI::IsMember({"transaction"}))
+      ->capture_default_str();
+  verb.add_option("--threads", options.threads,
+                  "host threads that synthesise (default: one per processor)")
+      ->check(CLI::Range(1, 1024));
+  verb.add_option("--snapshot", options.snapshots,
+                  "write the frame memory as it is at this simulated time, e.g. \"60 s\" "
+                  "(repeatable)")
+      ->type_name("TIME")
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--snapshot-shown", options.shown_snapshots,
+                  "write what the video reader shows at this simulated time (repeatable)")
+      ->type_name("TIME")
+      ->expected(1)
+      ->take_all();
+  verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
+}
+
+std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
+                                          const std::string& option) {
+  std::vector<models::Duration> instants;
+  for (const std::string& text : texts) {
+    try {
+      instants.emplace_back(parse_quantity(text, WholeDimension::time));
+    } catch (const std::invalid_argument& error) {
+      throw DescriptionError(SourcePosition{option + " " + text, 1, 1}, error.what());
+    }
+    if (instants.back().count() < 0) {
+      throw DescriptionError(SourcePosition{option + " " + text, 1, 1},
+                             "a time before the frame; allowed: 0 s and later");
+    }
+  }
+  return instants;
+}
+
+void add_pictures(const std::string& name, const std::vector<models::Duration>& instants,
+                  const std::vector<models::Picture>& pictures, std::vector<NamedContent>& files) {
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    files.push_back({fmt::format("{}-{}s.png", name, format_seconds(instants[i])),
+                     encode_png(pictures[i])});
+  }
+}
+
+Manifest manifest_of(const std::vector<std::string>& command, const Description& description,
+                     double host_time_s) {
+  Manifest manifest;
+  manifest.command = command;
+  manifest.version = MAQUETTE_VERSION;
+  for (const std::string& file : description.input_files) {
+    InputFile input = hash_input(file);
+    input.path = path_for_results(file);
+    manifest.inputs.push_back(input);
+  }
+  manifest.host_time_s = host_time_s;
+  measure_process(manifest);
+  return manifest;
+}
+
+int run(const RunOptions& options, const std::vector<std::string>& command) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto host_time_s = [start] {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const Description description = load_description(sources_of(options.common));
+  SimulationRequest request;
+  const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  request.threads = options.threads > 0 ? options.threads : processors;
+  request.snapshots = instants_of(options.snapshots, "--snapshot");
+  request.shown_snapshots = instants_of(options.shown_snapshots, "--snapshot-shown");
+  check_fit(description.scene, description.machine);
+  const std::filesystem::path directory =
+      options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
+                             : std::filesystem::path(options.outdir);
+  create_run_directory(directory);
+
+  const Interruption interruption;
+  SimulationResult result;
+  {
+    Progress progress(!options.quiet);
+    result = simulate(description.scene, description.machine, request,
+                      [&progress](models::Duration simulated, double fraction) {
+                        progress.show(simulated, fraction);
+                        return !Interruption::is_requested();
+                      });
+  }
+
+  std::vector<NamedContent> files = {
+      {"frame.png", encode_png(result.picture)},
+      {"stats.json", statistics_json(result.statistics)},
+      {"config.yaml", effective_configuration(description.scene, description.machine)}};
+  add_pictures("snapshot", request.snapshots, result.snapshots, files);
+  add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
+  files.push_back(
+      {"manifest.json", manifest_json(manifest_of(command, description, host_time_s()))});
+  write_files(directory, files);
+  if (!options.quiet) {
+    fmt::print("{}\n{}\n", summarise(result.statistics, result.clocks, host_time_s()),
+               fmt::format("written: {}", directory.string()));
+  }
+  return result.statistics.partial ? k_exit_interrupted : 0;
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, const std::vector<std::string>& command, int& exit_code) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App& verb = *program.add_subcommand(
+      "run", "simulate a scene on a machine: picture, frame time, where it went");
+  add_options(verb, *options);
+  verb.callback([options, &command, &exit_code] { exit_code = run(*options, command); });
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,96 @@
+#include "sim/run/frame_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace maquette::sim {
+
+namespace {
+
+BoardStatistics board_statistics(const models::BoardStatistics& board, std::size_t number,
+                                 models::Duration frame_time) {
+  BoardStatistics result;
+  result.name = fmt::format("board{}", number);
+  result.pixels = board.pixels;
+  result.compute = board.compute;
+  result.wait_grant = board.wait_grant;
+  result.transfer = board.transfer;
+  result.idle = board.idle;
+  if (board.compute + board.wait_grant + board.transfer + board.idle != frame_time) {
+    throw std::logic_error(result.name + "'s states do not sum to the frame time");
+  }
+  return result;
+}
+
+BusStatistics bus_statistics(const models::MachineStatistics& model) {
+  BusStatistics bus;
+  models::Duration waited{};
+  for (std::size_t i = 0; i < model.boards.size(); ++i) {
+    const models::BoardStatistics& board = model.boards[i];
+    bus.transfers += board.words;
+    bus.busy += board.transfer;
+    waited += board.wait_grant;
+    bus.wait_max = std::max(bus.wait_max, board.longest_wait);
+    bus.masters.push_back(
+        {fmt::format("board{}", i), board.words, board.wait_grant, board.longest_wait});
+  }
+  if (bus.transfers > 0) {
+    bus.wait_mean = (waited + models::Duration(bus.transfers / 2)) / bus.transfers;
+  }
+  if (model.frame_time.count() > 0) {
+    bus.utilisation =
+        static_cast<double>(bus.busy.count()) / static_cast<double>(model.frame_time.count());
+  }
+  return bus;
+}
+
+void add_totals(const models::WorkTotals& totals, Statistics& statistics) {
+  for (std::size_t i = 0; i < statistics.work.size(); ++i) {
+    statistics.work[i] += totals.operations[i];
+  }
+  statistics.rays.primary += static_cast<std::int64_t>(totals.primary);
+  statistics.rays.reflected += static_cast<std::int64_t>(totals.reflected);
+  statistics.rays.refracted += static_cast<std::int64_t>(totals.refracted);
+  statistics.rays.shadow += static_cast<std::int64_t>(totals.shadow);
+}
+
+FrameStatistics frame_of(const models::MachineStatistics& model, const Machine& machine) {
+  FrameStatistics frame;
+  frame.width = machine.parameters.frame_memory.width;
+  frame.height = machine.parameters.frame_memory.height;
+  frame.time = model.frame_time;
+  frame.load = model.load_time;
+  frame.pixels_total = std::int64_t{frame.width} * frame.height;
+  for (const models::BoardStatistics& board : model.boards) {
+    frame.preprocess = std::max(frame.preprocess, board.preprocessing);
+    frame.pixels_synthesised += board.pixels;
+  }
+  frame.preprocess = std::min(frame.preprocess, frame.time);
+  frame.synthesis = frame.time - frame.preprocess;
+  return frame;
+}
+
+}  // namespace
+
+Statistics frame_statistics(const models::MachineStatistics& model, const Machine& machine,
+                            const models::PixelRectangle& useful_zone,
+                            const firmware::Work& preprocessing) {
+  Statistics statistics;
+  statistics.frame = frame_of(model, machine);
+  statistics.useful_zone = {useful_zone.column0, useful_zone.row0, useful_zone.width,
+                            useful_zone.height};
+  for (std::size_t i = 0; i < model.boards.size(); ++i) {
+    statistics.boards.push_back(board_statistics(model.boards[i], i, model.frame_time));
+    add_totals(model.boards[i].work, statistics);
+  }
+  statistics.bus = bus_statistics(model);
+  std::copy(std::begin(preprocessing.counts), std::end(preprocessing.counts),
+            statistics.preprocess_work.begin());
+  statistics.partial = !model.has_finished;
+  statistics.end_reason = model.has_finished ? "all boards are done" : "interrupted";
+  return statistics;
+}
+
+}  // namespace maquette::sim

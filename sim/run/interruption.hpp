@@ -1,0 +1,19 @@
+#pragma once
+
+namespace maquette::sim {
+
+/// From its construction on, Ctrl-C (SIGINT) and SIGTERM ask the run to end instead of killing the
+/// program; a second one kills. The former behaviour comes back with the destructor.
+class Interruption {
+ public:
+  Interruption();
+  Interruption(const Interruption&) = delete;
+  Interruption& operator=(const Interruption&) = delete;
+  Interruption(Interruption&&) = delete;
+  Interruption& operator=(Interruption&&) = delete;
+  ~Interruption();
+
+  [[nodiscard]] static bool is_requested();
+};
+
+}  // namespace maquette::sim

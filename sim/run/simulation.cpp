@@ -1,0 +1,119 @@
+#include "sim/run/simulation.hpp"
+
+#include <systemc>
+
+#include "models/ccett_machine.hpp"
+#include "models/kernel_time.hpp"
+#include "models/video_reader.hpp"
+#include "models/work_cost.hpp"
+#include "sim/description/description_error.hpp"
+#include "sim/run/counted_source.hpp"
+#include "sim/run/frame_statistics.hpp"
+#include "sim/scene/database_image.hpp"
+#include "sim/scene/memory_map.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+/// Between two looks at the host: progress, interruption.
+constexpr models::Duration k_slice = std::chrono::seconds(1);
+
+/// What the host writes into every board: the database, and code of the right size. The code's
+/// bytes stay zero, because the native firmware runs in its place.
+std::vector<unsigned char> image_of(const Scene& scene, const MemoryMap& map,
+                                    const PictureSize& size) {
+  const PackedScene<float> packed = packed_scene<float>(scene, size);
+  std::vector<unsigned char> image = database_image(packed.database());
+  image.resize(static_cast<std::size_t>(map.loaded_bytes));
+  return image;
+}
+
+void run_kernel(const models::CcettMachine& model, const CountedSource& source,
+                const Continue& go_on) {
+  while (!model.finished()) {
+    sc_core::sc_start(models::to_sc_time(k_slice));
+    if (!go_on(models::kernel_now(), source.fraction_taken())) {
+      return;
+    }
+  }
+}
+
+OperationClocks clocks_of(const Statistics& statistics, const models::Kvm02Parameters& board) {
+  const models::WorkCost cost(board);
+  OperationClocks clocks{};
+  for (std::size_t i = 0; i < clocks.size(); ++i) {
+    const auto milliclocks = cost.milliclocks(static_cast<firmware::Operation>(i));
+    clocks[i] = static_cast<double>(statistics.work[i]) * static_cast<double>(milliclocks) / 1000;
+  }
+  return clocks;
+}
+
+void take_snapshots(const models::CcettMachine& model, const SimulationRequest& request,
+                    SimulationResult& result) {
+  const models::Duration start = model.statistics().load_time;
+  for (const models::Duration time : request.snapshots) {
+    result.snapshots.push_back(model.frame_memory().picture_at(start + time));
+  }
+  for (const models::Duration time : request.shown_snapshots) {
+    result.shown_snapshots.push_back(
+        models::shown_picture(model.frame_memory(), model.video_timing(), start + time));
+  }
+}
+
+SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
+                                   CountedSource& source, const models::FrameSetup& setup,
+                                   const Continue& go_on) {
+  const models::CcettMachine model("machine", machine.parameters, source, setup);
+  run_kernel(model, source, go_on);
+  if (model.finished()) {
+    model.verify_frame();
+  }
+  SimulationResult result;
+  result.statistics =
+      frame_statistics(model.statistics(), machine, source.useful_zone(), source.preprocessing());
+  result.clocks = clocks_of(result.statistics, machine.parameters.board);
+  result.picture = model.frame_memory().picture();
+  take_snapshots(model, request, result);
+  return result;
+}
+
+PictureSize picture_size_of(const Machine& machine) {
+  return {machine.parameters.frame_memory.width, machine.parameters.frame_memory.height};
+}
+
+/// The memory map of a board, checked.
+MemoryMap checked_map(const Scene& scene, const Machine& machine,
+                      const PackedScene<firmware::Counted>& packed) {
+  const MemoryMap map = memory_map_of(packed.database(), packed.tree_height, machine);
+  check_memory(map, machine, scene.object.position_in_file);
+  return map;
+}
+
+}  // namespace
+
+void check_fit(const Scene& scene, const Machine& machine) {
+  checked_map(scene, machine, packed_scene<firmware::Counted>(scene, picture_size_of(machine)));
+}
+
+SimulationResult simulate(const Scene& scene, const Machine& machine,
+                          const SimulationRequest& request, const Continue& go_on) {
+  const PictureSize size = picture_size_of(machine);
+  const PackedScene<firmware::Counted> packed = packed_scene<firmware::Counted>(scene, size);
+  const MemoryMap map = checked_map(scene, machine, packed);
+  CountedSource source(packed, machine, request.threads);
+  models::FrameSetup setup;
+  setup.useful_zone = source.useful_zone();
+  setup.background = firmware::rgb_of(source.frame().database.background);
+  setup.images.assign(machine.parameters.boards.size(), image_of(scene, map, size));
+  setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
+  try {
+    return simulate_prepared(machine, request, source, setup, go_on);
+  } catch (const std::invalid_argument& error) {
+    throw DescriptionError(std::string("these parameters make no machine: ") + error.what());
+  } catch (const sc_core::sc_report& report) {
+    throw DescriptionError(std::string("the machine does not work: ") + report.get_msg());
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "models/picture.hpp"
+#include "sim/description/machine.hpp"
+#include "sim/description/scene.hpp"
+#include "sim/report/statistics.hpp"
+#include "sim/report/summary.hpp"
+
+namespace maquette::sim {
+
+/// What to simulate besides scene and machine.
+struct SimulationRequest {
+  int threads = 1;                                ///< of the host, for synthesis
+  std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
+  std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
+};
+
+/// Called now and then with the simulated time and the share of pixels done; false ends the run.
+using Continue = std::function<bool(models::Duration simulated, double fraction)>;
+
+/// What a simulation gives.
+struct SimulationResult {
+  Statistics statistics;
+  OperationClocks clocks{};  ///< that the boards spent per operation class
+  models::Picture picture;   ///< the frame memory at the end
+  std::vector<models::Picture> snapshots;
+  std::vector<models::Picture> shown_snapshots;
+};
+
+/// Throws DescriptionError when the machine's boards can not hold the scene.
+void check_fit(const Scene& scene, const Machine& machine);
+
+/// Simulates a frame on a machine: packs the scene, checks it against a board's RAM, elaborates the
+/// machine and runs it until all boards are done. SystemC elaborates once per process, so a process
+/// may call this once. Throws DescriptionError for a scene that the machine can not hold and for
+/// parameters that make no machine; std::logic_error when an invariant of the run is broken.
+SimulationResult simulate(const Scene& scene, const Machine& machine,
+                          const SimulationRequest& request, const Continue& go_on);
+
+}  // namespace maquette::sim
