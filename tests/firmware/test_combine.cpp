@@ -50,7 +50,8 @@ Steps combined(BooleanOperator combination, const Spans& a, const Spans& b) {
   Frame<float> frame{};
   frame.database.surfaces = surfaces;
   frame.prepared.leaves = leaves;
-  frame.prepared.coarse_tolerance = k_scale * 24 * spacing<float>();
+  frame.prepared.coarse_tolerance =
+      k_scale * spacings<float>(6 * preprocessing::k_crossing_tolerance);
   std::vector<Crossing<float>> area(4 * (a.size() + b.size()));
   std::size_t count = 0;
   for (const Span& span : a) {
@@ -134,7 +135,7 @@ Spans random_spans(trial::Random& random) {
 /// The same spans with ends off by what two ways of computing a coordinate may differ.
 Spans rounded_otherwise(trial::Random& random, Spans spans) {
   const auto off = [&random] {
-    return static_cast<float>(random.uniform(-1.5, 1.5)) * k_scale * spacing<float>();
+    return static_cast<float>(random.uniform(-1.5, 1.5)) * k_scale * spacings<float>(1);
   };
   for (Span& span : spans) {
     span.in += off();
@@ -269,7 +270,7 @@ TEST_CASE("A union does not depend on the order of its operands") {
 }
 
 TEST_CASE("Crossings apart by more than rounding are kept apart") {
-  const float gap = 3e-4F;
+  const float gap = 2e-3F;
   CHECK(union_of({{2, 6, k_red}}, {{6 + gap, 9, k_blue}}).size() == 4);
   CHECK(difference({{2, 6, k_red}}, {{2 + gap, 9, k_blue}}).size() == 2);
   CHECK(intersection({{2, 6, k_red}}, {{6 - gap, 9, k_blue}}).size() == 2);

@@ -19,7 +19,8 @@ Color<double> light_over(BuiltFrame<Real>& built, const Vector<double>& from,
   const Vector<double> way = to - from;
   const Ray<Real> ray{trial::rounded<Real>(from), trial::rounded<Real>(glm::normalize(way))};
   Color<Real> light(constant<Real>(1), constant<Real>(1), constant<Real>(1));
-  if (!reaches(built.frame, ray, constant<Real>(glm::length(way)), built.area().crossings, light)) {
+  if (!reaches(built.frame, ray, constant<Real>(glm::length(way)), k_no_node,
+               built.area().crossings, light)) {
     return {0, 0, 0};
   }
   return trial::exact(light);

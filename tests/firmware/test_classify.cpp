@@ -1,0 +1,217 @@
+#include "firmware/classify.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "firmware/counted.hpp"
+#include "tests/firmware/random_model.hpp"
+
+namespace maquette::firmware {
+namespace {
+
+using trial::BuiltFrame;
+using trial::Model;
+using trial::Placement;
+using trial::Random;
+
+constexpr double k_pi = elementary::k_pi;
+
+/// What uniform isotropic random lines through a sphere tell of a body inside of it: the mean
+/// length of its chords gives the volume, the mean number of crossings the area (Cauchy and
+/// Crofton).
+struct LineSums {
+  double volume;
+  double volume_error;  ///< standard error
+  double area;
+  double area_error;
+};
+
+template <class Real>
+LineSums line_sums(BuiltFrame<Real>& built, const Vector<double>& center, double radius,
+                   std::uint32_t seed) {
+  constexpr int k_lines = 30000;
+  Random random(seed);
+  double chords = 0;
+  double chords_squared = 0;
+  double crossings = 0;
+  double crossings_squared = 0;
+  for (int i = 0; i < k_lines; ++i) {
+    const Vector<double> direction = random.direction();
+    const Vector<double> aside = random.direction_around(direction, 0);
+    const double off = radius * std::sqrt(random.uniform());
+    const auto met = built.crossings_of(center + aside * off - direction * (2 * radius), direction);
+    double chord = 0;
+    for (std::size_t k = 0; k + 1 < met.size(); k += 2) {
+      chord += static_cast<double>(met[k + 1].distance) - static_cast<double>(met[k].distance);
+    }
+    const auto count = static_cast<double>(met.size());
+    chords += chord;
+    chords_squared += chord * chord;
+    crossings += count;
+    crossings_squared += count * count;
+  }
+  const double disc = k_pi * radius * radius;
+  const auto error_of = [](double sum, double squares) {
+    const double mean = sum / k_lines;
+    return std::sqrt((squares / k_lines - mean * mean) / k_lines);
+  };
+  return {disc * chords / k_lines, disc * error_of(chords, chords_squared),
+          2 * disc * crossings / k_lines, 2 * disc * error_of(crossings, crossings_squared)};
+}
+
+/// Places the model at random, without distortion, and compares what lines tell with closed values.
+/// The body must lie within `radius` of the model's origin.
+template <class Real, class Build>
+void check_body(const Build& build, double radius, double volume, double area) {
+  for (const std::uint32_t seed : {601U, 602U}) {
+    Random random(seed);
+    const double size = random.magnitude(0.01, 100);
+    const Vector<double> center = random.in_cube(5) * size;
+    Model model;
+    const Placement placement = random.placement(center, size, 1);
+    const NodeIndex root = build(model, placement);
+    BuiltFrame<Real> built(model, root);
+    const LineSums sums = line_sums(built, center, radius * size, seed);
+    CAPTURE(seed, size);
+    CHECK(std::fabs(sums.volume - volume * size * size * size) < 4 * sums.volume_error);
+    CHECK(std::fabs(sums.area - area * size * size) < 4 * sums.area_error);
+  }
+}
+
+TEMPLATE_TEST_CASE("Chords give the volume and the area of every primitive", "", float, double) {
+  const auto single = [](PrimitiveKind kind, double parameter) {
+    return [=](Model& model, const Placement& placement) {
+      return model.add(kind, placement, 0, parameter);
+    };
+  };
+  check_body<TestType>(single(PrimitiveKind::box, 0), 1.8, 8, 24);
+  check_body<TestType>(single(PrimitiveKind::sphere, 0), 1.2, 4 * k_pi / 3, 4 * k_pi);
+  check_body<TestType>(single(PrimitiveKind::cylinder, 0), 1.5, 2 * k_pi, 6 * k_pi);
+  for (const double top : {0.0, 0.3, 0.9}) {
+    check_body<TestType>(single(PrimitiveKind::cone, top), 1.5, k_pi * (1 - top * top * top) / 3,
+                         k_pi * (1 + top * top + std::sqrt(2.0) * (1 - top * top)));
+  }
+  const auto half_ball = [](Model& model, const Placement& placement) {
+    const NodeIndex ball = model.add(PrimitiveKind::sphere, placement);
+    const NodeIndex half = model.add(PrimitiveKind::half_space, placement);
+    return model.combine(BooleanOperator::intersection, half, ball);
+  };
+  check_body<TestType>(half_ball, 1.2, 2 * k_pi / 3, 3 * k_pi);
+}
+
+TEMPLATE_TEST_CASE("Chords give the volume of distorted primitives", "", float, double) {
+  Random random(603);
+  const double volumes[] = {8, 4 * k_pi / 3, 2 * k_pi, k_pi / 3};
+  for (int i = 0; i < 8; ++i) {
+    const Placement placement = random.placement(random.in_cube(3), 1, 3);
+    Model model;
+    const NodeIndex root = model.add(static_cast<PrimitiveKind>(1 + i % 4), placement);
+    BuiltFrame<TestType> built(model, root);
+    const LineSums sums = line_sums(built, placement[3], 1.8, 604);
+    CHECK(std::fabs(sums.volume - volumes[i % 4] * std::fabs(trial::determinant(placement))) <
+          4 * sums.volume_error);
+  }
+}
+
+/// Two primitives, the second shifted in the frame of the first.
+auto pair_of(BooleanOperator combination, PrimitiveKind a, PrimitiveKind b,
+             const Placement& b_to_a) {
+  return [=](Model& model, const Placement& placement) {
+    const NodeIndex first = model.add(a, placement);
+    const NodeIndex second = model.add(b, concatenate(placement, b_to_a));
+    return model.combine(combination, first, second);
+  };
+}
+
+TEMPLATE_TEST_CASE("Chords give the volume and the area of two overlapping spheres", "", float,
+                   double) {
+  const double apart = 0.8;
+  const double lens = k_pi * (4 + apart) * (2 - apart) * (2 - apart) / 12;
+  const double cap = 2 * k_pi * (1 - apart / 2);
+  const PrimitiveKind ball = PrimitiveKind::sphere;
+  const Placement shift = trial::moved({0, apart, 0});
+  check_body<TestType>(pair_of(BooleanOperator::union_of, ball, ball, shift), 2,
+                       8 * k_pi / 3 - lens, 8 * k_pi - 2 * cap);
+  check_body<TestType>(pair_of(BooleanOperator::intersection, ball, ball, shift), 2, lens, 2 * cap);
+  check_body<TestType>(pair_of(BooleanOperator::difference, ball, ball, shift), 2,
+                       4 * k_pi / 3 - lens, 4 * k_pi);
+}
+
+TEMPLATE_TEST_CASE("Coincident faces leave neither skin nor hole", "", float, double) {
+  const PrimitiveKind box = PrimitiveKind::box;
+  const PrimitiveKind cylinder = PrimitiveKind::cylinder;
+  const double r = 0.5;
+  const Placement flush_bore = trial::scaled({r, r, 1});
+  check_body<TestType>(pair_of(BooleanOperator::difference, box, cylinder, flush_bore), 1.8,
+                       8 - 2 * k_pi * r * r, 24 - 2 * k_pi * r * r + 4 * k_pi * r);
+  check_body<TestType>(pair_of(BooleanOperator::union_of, box, cylinder, flush_bore), 1.8, 8, 24);
+  check_body<TestType>(pair_of(BooleanOperator::union_of, box, box, trial::moved({2, 0, 0})), 3.5,
+                       16, 40);
+  check_body<TestType>(pair_of(BooleanOperator::difference, box, box, trial::moved({2, 0, 0})), 1.8,
+                       8, 24);
+  const Placement half_box = concatenate(trial::moved({0.5, 0, 0}), trial::scaled({0.5, 1, 1}));
+  check_body<TestType>(pair_of(BooleanOperator::difference, box, box, half_box), 1.8, 4, 16);
+  check_body<TestType>(pair_of(BooleanOperator::intersection, box, box, half_box), 1.8, 4, 16);
+}
+
+constexpr int k_skin_rays = 20000;
+
+/// Rays that meet something of what should be nothing: a body without, or in common with, another.
+template <class Real>
+int skins(BooleanOperator combination, PrimitiveKind kind, const Placement& other_to_body) {
+  Random random(605);
+  int found = 0;
+  for (int turn = 0; turn < k_skin_rays / 50; ++turn) {
+    const double size = random.magnitude(1e-4, 1e4);
+    const Vector<double> center = random.in_cube(10) * size;
+    Model model;
+    const NodeIndex root =
+        pair_of(combination, kind, kind, other_to_body)(model, random.placement(center, size, 3));
+    BuiltFrame<Real> built(model, root);
+    for (int ray = 0; ray < 50; ++ray) {
+      const Vector<double> aim = center + random.in_cube(size / 2);
+      const Vector<double> from = aim - random.direction() * (size * random.magnitude(1, 30));
+      found += built.crossings_of(from, glm::normalize(aim - from)).empty() ? 0 : 1;
+    }
+  }
+  return found;
+}
+
+TEMPLATE_TEST_CASE("A body turned onto itself vanishes by difference", "", float, double) {
+  const BooleanOperator without = BooleanOperator::difference;
+  const Placement quarter = trial::turned({0, 0, 1}, k_pi / 2);
+  const Placement turn = trial::turned({0, 0, 1}, 0.7);
+  // Rays that nearly lie in a face may still see it.
+  constexpr int k_grazing = k_skin_rays / 10000;
+  CHECK(skins<TestType>(without, PrimitiveKind::box, quarter) <= k_grazing);
+  CHECK(skins<TestType>(without, PrimitiveKind::sphere, turn) <= k_grazing);
+  CHECK(skins<TestType>(without, PrimitiveKind::cylinder, turn) <= k_grazing);
+  CHECK(skins<TestType>(without, PrimitiveKind::cone, turn) <= k_grazing);
+  CHECK(skins<TestType>(BooleanOperator::intersection, PrimitiveKind::box,
+                        trial::moved({2, 0, 0})) <= k_grazing);
+}
+
+TEST_CASE("Where the first operand is missed the second is not looked at") {
+  const Vector<double> towards(0, 0, 1);
+  const auto work_of = [&](BooleanOperator combination, double first_at) {
+    Model model;
+    const NodeIndex first = model.add(PrimitiveKind::sphere, trial::moved({first_at, 0, 10}));
+    const NodeIndex second = model.add(PrimitiveKind::sphere, trial::moved({0.1, 0, 10}));
+    BuiltFrame<Counted> built(model, model.combine(combination, first, second));
+    built.open_extents();
+    const auto query = trial::unit_query<Counted>({0, 0, 0}, towards);
+    reset_counted_work();
+    cross(built.frame, query, built.root(), built.area().crossings);
+    return counted_work();
+  };
+  const auto divisions = [](const Work& work) {
+    return work[Operation::divide] + work[Operation::divide_zero];
+  };
+  // A sphere takes one division.
+  CHECK(divisions(work_of(BooleanOperator::difference, 0)) == 2);
+  CHECK(divisions(work_of(BooleanOperator::difference, 5)) == 1);
+  CHECK(divisions(work_of(BooleanOperator::intersection, 5)) == 1);
+  CHECK(divisions(work_of(BooleanOperator::union_of, 5)) == 2);
+}
+
+}  // namespace
+}  // namespace maquette::firmware
