@@ -18,7 +18,17 @@ struct RayQuery {
   bool is_primary;
   std::int16_t column;  ///< of a primary ray
   std::int16_t row;
+  /// A leaf whose outside the ray has just left: what a line meets in one segment it will not meet
+  /// again.
+  NodeIndex left_behind = k_no_node;
 };
+
+/// Whether a node is the leaf that the ray has left behind.
+template <class Real>
+bool is_left_behind(const Database<Real>& database, const RayQuery<Real>& query, NodeIndex node) {
+  charge<Real>(Operation::branch);
+  return node == query.left_behind && primitive_of<Real>(database.leaves[node].kind).hit_limit == 2;
+}
 
 template <class Real>
 bool may_meet(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
@@ -38,7 +48,11 @@ Ray<Real> local_ray(const PreparedLeaf<Real>& leaf, const RayQuery<Real>& query)
   charge<Real>(Operation::branch);
   if (query.is_primary) {
     charge<Real>(Operation::load, 3);
-    return {leaf.from_screen[3], transform_direction(leaf.from_screen, query.ray.direction)};
+    // It starts at the eye, and its direction is one unit deep.
+    const Affine<Real>& frame = leaf.from_screen;
+    const Vector<Real>& d = query.ray.direction;
+    charge<Real>(Operation::load, 9);
+    return {frame[3], frame[0] * d.x + frame[1] * d.y + frame[2]};
   }
   return {transform_point(leaf.from_screen, query.ray.origin),
           transform_direction(leaf.from_screen, query.ray.direction)};
@@ -80,7 +94,7 @@ std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIn
                    Crossing<Real>* first) {
   charge<Real>(Operation::call);
   charge<Real>(Operation::branch);
-  if (!may_meet(frame, query, node)) {
+  if (is_left_behind(frame.database, query, node) || !may_meet(frame, query, node)) {
     return 0;
   }
   if (frame.database.is_leaf(node)) {

@@ -67,8 +67,7 @@ bool coincide(const Prepared<Real>& prepared, const Crossing<Real>& a, const Cro
   charge<Real>(Operation::load, 2);
   const Real coordinates =
       prepared.leaves[a.leaf].scale + prepared.leaves[b.leaf].scale + absolute(a.distance);
-  return apart <=
-         coordinates * (constant<Real>(preprocessing::k_crossing_tolerance) * spacing<Real>());
+  return apart <= coordinates * spacings<Real>(preprocessing::k_crossing_tolerance);
 }
 
 /// Takes the nearer of the operands' next crossings, or both when they coincide, so that coincident

@@ -3,8 +3,8 @@
 #include "firmware/counted.hpp"
 #include "firmware/vector.hpp"
 
-/// Vector operators of `Counted` that look for zero operands in all components at once. They give the
-/// bits and the counts of the component-wise operators; GLM's templates give way to them.
+/// Vector operators of `Counted` that look for zero operands in all components at once. They give
+/// the bits and the counts of the component-wise operators; GLM's templates give way to them.
 namespace maquette::firmware {
 
 namespace counting {
@@ -13,7 +13,9 @@ using Lanes = float __attribute__((vector_size(16)));
 using LaneFlags = std::int32_t __attribute__((vector_size(16)));
 
 /// Three components and a one, so that the fourth lane never counts as zero.
-inline Lanes lanes_of(const Vector<Counted>& v) { return Lanes{v.x.value, v.y.value, v.z.value, 1.0F}; }
+inline Lanes lanes_of(const Vector<Counted>& v) {
+  return Lanes{v.x.value, v.y.value, v.z.value, 1.0F};
+}
 
 inline Vector<Counted> vector_of(Lanes lanes) { return {lanes[0], lanes[1], lanes[2]}; }
 

@@ -37,7 +37,7 @@ View<Real> view_of(const Frame<Real>& frame, const SurfacePoint<Real>& point,
   view.towards = -unit_direction;
   // Rounding may turn a grazing view behind the surface or make a frontal one exceed 1.
   view.cosine =
-      larger(spacing<Real>(), smaller(constant<Real>(1), glm::dot(point.normal, view.towards)));
+      larger(spacings<Real>(1), smaller(constant<Real>(1), glm::dot(point.normal, view.towards)));
   view.index = relative_index(frame.database, point.before, point.after, point.surface);
   return view;
 }
@@ -60,7 +60,7 @@ template <class Real>
   const Vector<Real> half = normalize(view.towards + to_light);
   const Real one = constant<Real>(1);
   const Real n_h = smaller(one, absolute(glm::dot(point.normal, half)));
-  const Real v_h = larger(spacing<Real>(), smaller(one, glm::dot(view.towards, half)));
+  const Real v_h = larger(spacings<Real>(1), smaller(one, glm::dot(view.towards, half)));
   return fresnel_factor(surface, v_h, view.index) * facet_term(surface, n_h, view.cosine, n_l, v_h);
 }
 
@@ -81,7 +81,7 @@ template <class Real>
   const Vector<Real> half = normalize(sum);
   const Real n_h = smaller(one, absolute(glm::dot(point.normal, half)));
   const Real v_h = smaller(one, absolute(glm::dot(view.towards, half)));
-  if (!(v_h > spacing<Real>())) {
+  if (!(v_h > spacings<Real>(1))) {
     return zero;
   }
   const Real transmitted = one - dielectric_border(v_h, view.index).reflected;
@@ -96,14 +96,12 @@ struct Incidence {
   Real cosine;  ///< to the normal; negative for light from behind
 };
 
+/// `way` from the point to the source and its component along the normal.
 template <class Real>
-Incidence<Real> incidence_of(const SurfacePoint<Real>& point, const Vector<Real>& light) {
-  const Vector<Real> way = light - point.position;
-  Incidence<Real> incidence;
-  incidence.distance = length(way);
-  incidence.to_light = way * (constant<Real>(1) / incidence.distance);
-  incidence.cosine = glm::dot(point.normal, incidence.to_light);
-  return incidence;
+Incidence<Real> incidence_of(const Vector<Real>& way, Real along_normal) {
+  const Real distance = length(way);
+  const Real inverse = constant<Real>(1) / distance;
+  return {way * inverse, distance, along_normal * inverse};
 }
 
 /// Reflectance times cosine of the incidence, per colour, for light from the viewer's side.
@@ -135,19 +133,22 @@ Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 6);
   charge<Real>(Operation::branch, 4);
-  const Incidence<Real> incidence = incidence_of(point, frame.prepared.light_positions[light]);
-  const bool is_behind = !(incidence.cosine > zero);
+  const Vector<Real> way = frame.prepared.light_positions[light] - point.position;
+  const Real along_normal = glm::dot(point.normal, way);
+  const bool is_behind = !(along_normal > zero);
   // Only where a ray leaves a transparent body is a source seen through its surface; where it
   // enters one, the refracted ray will find that.
   const bool passes = surface.transparent && point.before != k_void && point.after == k_void;
-  if (is_behind && (!passes || !(incidence.cosine < zero))) {
+  if (is_behind && (!passes || !(along_normal < zero))) {
     return {zero, zero, zero};
   }
+  const Incidence<Real> incidence = incidence_of(way, along_normal);
   Color<Real> arriving = frame.database.lights[light].intensity;
   if (frame.database.needs.shadows) {
     ++rays.shadow;
     const Vector<Real> origin = is_behind ? far_departure(point) : departure(point);
-    if (!reaches(frame, {origin, incidence.to_light}, incidence.distance, area, arriving)) {
+    const NodeIndex left = is_behind ? far_left_behind(point) : left_behind(point);
+    if (!reaches(frame, {origin, incidence.to_light}, incidence.distance, left, area, arriving)) {
       return {zero, zero, zero};
     }
   }

@@ -97,7 +97,7 @@ Real exponential(Real x) {
   const int n = to_integer(turns + (turns < 0 ? constant<Real>(-0.5) : constant<Real>(0.5)));
   // ln 2 in two parts, so that n * high is exact.
   const Real high = constant<Real>(0.693359375);
-  const Real low = constant<Real>(elementary::k_ln_2 - 0.693359375);
+  const Real low = constant<Real>(-2.12194440054690582768e-4);
   const Real rest = (x - static_cast<Real>(n) * high) - static_cast<Real>(n) * low;
   Real sum = 1;
   for (int term = elementary::Format<Real>::exponential_terms; term > 0; --term) {

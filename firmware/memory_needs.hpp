@@ -21,7 +21,8 @@ inline constexpr std::int64_t k_light_bytes = 6 * k_real_bytes;
 /// Both frames, left, top, step, columns, rows.
 inline constexpr std::int64_t k_observer_bytes =
     2 * k_affine_bytes + 3 * k_real_bytes + 2 * k_word_bytes;
-/// Three counts and the root as long words, three words, the needs as bits; ambient, background, least weight.
+/// Three counts and the root as long words, three words, the needs as bits; ambient, background,
+/// least weight.
 inline constexpr std::int64_t k_header_bytes = 13 * k_word_bytes + 7 * k_real_bytes;
 
 /// Both frames and the scale.
@@ -33,8 +34,8 @@ inline constexpr std::int64_t k_prepared_light_bytes = 3 * k_real_bytes;
 
 /// Distance, leaf, face, medium.
 inline constexpr std::int64_t k_crossing_bytes = k_real_bytes + 3 * k_word_bytes;
-/// Origin, direction, weight, depth.
-inline constexpr std::int64_t k_pending_ray_bytes = 9 * k_real_bytes + k_word_bytes;
+/// Origin, direction, weight, depth, leaf left behind.
+inline constexpr std::int64_t k_pending_ray_bytes = 9 * k_real_bytes + 2 * k_word_bytes;
 
 /// A surface: flags and share always, the rest only where the scene needs it.
 constexpr std::int64_t surface_bytes(const Needs& needs) {

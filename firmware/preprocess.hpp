@@ -15,7 +15,8 @@ namespace preprocessing {
 inline constexpr double k_extent_margin = 32;
 
 /// Crossings closer than this many spacings times the coordinates they were computed from are one.
-inline constexpr double k_crossing_tolerance = 4;
+/// Their rounding, of a few spacings across the surface, grows along a ray that grazes it.
+inline constexpr double k_crossing_tolerance = 32;
 
 template <class Real>
 Rectangle whole_screen(const Observer<Real>& observer) {
@@ -45,7 +46,7 @@ Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& fra
 template <class Real>
 Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real scale,
                     const Observer<Real>& observer) {
-  const Real margin = scale * (constant<Real>(k_extent_margin) * spacing<Real>());
+  const Real margin = scale * spacings<Real>(k_extent_margin);
   Real left = far_away<Real>();
   Real right = -left;
   Real bottom = left;
@@ -69,7 +70,7 @@ Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real 
   const Real one = constant<Real>(1);
   const Real two = constant<Real>(2);
   const Real inverse_step = one / observer.step;
-  const Real widen = one + constant<Real>(k_extent_margin) * spacing<Real>();
+  const Real widen = one + spacings<Real>(k_extent_margin);
   return {clamped_index(((left - observer.left) * inverse_step) * widen - one, observer.columns),
           clamped_index(((right - observer.left) * inverse_step) * widen + two, observer.columns),
           clamped_index(((observer.top - top) * inverse_step) * widen - one, observer.rows),
@@ -141,7 +142,7 @@ Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
     extent.rectangle = whole_screen(database.observer);
     return extent;
   }
-  const Real margin = prepared.scale * (constant<Real>(k_extent_margin) * spacing<Real>());
+  const Real margin = prepared.scale * spacings<Real>(k_extent_margin);
   const Vector<Real> margins(margin, margin, margin);
   const Vector<Real> center =
       transform_point(prepared.to_screen, (local.low + local.high) * constant<Real>(0.5));
@@ -171,8 +172,7 @@ void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
                                       prepared.extents[composite.sons[1]]);
   }
   // Inside the scene no distance exceeds four times the largest coordinate.
-  prepared.coarse_tolerance =
-      largest * (constant<Real>(6 * k_crossing_tolerance) * spacing<Real>());
+  prepared.coarse_tolerance = largest * spacings<Real>(6 * k_crossing_tolerance);
 }
 
 template <class Real>

@@ -12,7 +12,8 @@ template <class Real>
 struct PendingRay {
   Ray<Real> ray;  ///< unit direction, or through the pixel for a primary ray
   Color<Real> weight;
-  std::int32_t depth;  ///< secondary rays before it in a row, itself included
+  std::int32_t depth;     ///< secondary rays before it in a row, itself included
+  NodeIndex left_behind;  ///< leaf whose outside it has just left, or k_no_node
 };
 
 /// What synthesis writes on: crossings of one ray and rays that wait. Sizes: memory_needs.hpp.
@@ -42,44 +43,70 @@ bool is_visible(const Database<Real>& database, const Color<Real>& weight) {
   return larger(weight.x, larger(weight.y, weight.z)) >= database.minimum_weight;
 }
 
-/// Puts the reflected and the refracted ray of a point on the stack when they count for something.
-/// Returns the new height.
+/// Puts the reflected ray of a point on the stack when it counts for something; `reflected` is its
+/// share of the parent's weight. Returns the new height.
+template <class Real>
+std::int32_t spawn_reflected(const Frame<Real>& frame, const SurfacePoint<Real>& point,
+                             const View<Real>& view, const Color<Real>& weight, std::int32_t depth,
+                             PendingRay<Real>* stack, std::int32_t height) {
+  charge<Real>(Operation::branch);
+  if (!is_visible(frame.database, weight)) {
+    return height;
+  }
+  charge<Real>(Operation::store, 10);
+  const Vector<Real> direction = point.normal * (constant<Real>(2) * view.cosine) - view.towards;
+  stack[height] = {{departure(point), normalize(direction)}, weight, depth, left_behind(point)};
+  return height + 1;
+}
+
+/// The same for the refracted ray. Snell: n T = D + (c - g) N, with g the transmitted cosine times
+/// n.
+template <class Real>
+[[gnu::noinline]] std::int32_t spawn_refracted(const Frame<Real>& frame,
+                                               const SurfacePoint<Real>& point,
+                                               const View<Real>& view, Real transmitted_cosine,
+                                               const Color<Real>& weight, std::int32_t depth,
+                                               PendingRay<Real>* stack, std::int32_t height) {
+  charge<Real>(Operation::branch);
+  if (!is_visible(frame.database, weight)) {
+    return height;
+  }
+  charge<Real>(Operation::store, 10);
+  const Vector<Real> direction = point.normal * (view.cosine - transmitted_cosine) - view.towards;
+  stack[height] = {
+      {far_departure(point), normalize(direction)}, weight, depth, far_left_behind(point)};
+  return height + 1;
+}
+
+/// Puts the secondary rays of a specular point on the stack: the reflected one with F, behind a
+/// transparent surface also the refracted one with 1 - F. Returns the new height.
 template <class Real>
 [[gnu::noinline]] std::int32_t spawn(const Frame<Real>& frame, const SurfacePoint<Real>& point,
                                      const View<Real>& view, const PendingRay<Real>& parent,
                                      PendingRay<Real>* stack, std::int32_t height,
                                      RayCounts& rays) {
-  const Database<Real>& database = frame.database;
-  const Surface<Real>& surface = database.surfaces[point.surface];
-  const Vector<Real> direction = -view.towards;
-  const Real one = constant<Real>(1);
+  const Surface<Real>& surface = frame.database.surfaces[point.surface];
   const std::int32_t depth = parent.depth + 1;
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 4);
+  charge<Real>(Operation::call, 2);
+  charge<Real>(Operation::branch, 2);
   charge<Real>(Operation::load);
   const Color<Real> share = parent.weight * surface.specular;
-  const Color<Real> reflected = fresnel_factor(surface, view.cosine, view.index);
-  const Color<Real> reflected_weight = share * reflected;
-  if (is_visible(database, reflected_weight)) {
-    charge<Real>(Operation::store, 10);
-    ++rays.reflected;
-    const Real twice = constant<Real>(2) * view.cosine;
-    stack[height++] = {
-        {departure(point), normalize(direction + point.normal * twice)}, reflected_weight, depth};
-  }
+  std::int32_t top = height;
   if (!surface.transparent) {
-    return height;
+    const Color<Real> reflected = share * fresnel_factor(surface, view.cosine, view.index);
+    top = spawn_reflected(frame, point, view, reflected, depth, stack, top);
+    rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
+    return top;
   }
+  charge<Real>(Operation::call);
   const DielectricBorder<Real> border = dielectric_border(view.cosine, view.index);
-  const Color<Real> refracted_weight = share * (one - border.reflected);
-  if (is_visible(database, refracted_weight)) {
-    charge<Real>(Operation::store, 10);
-    ++rays.refracted;
-    // Snell: n T = D + (c - g) N, with g the transmitted cosine times n.
-    const Vector<Real> bent = direction + point.normal * (view.cosine - border.transmitted_cosine);
-    stack[height++] = {{far_departure(point), normalize(bent)}, refracted_weight, depth};
-  }
-  return height;
+  top = spawn_reflected(frame, point, view, share * border.reflected, depth, stack, height);
+  rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
+  const std::int32_t reflected_top = top;
+  top = spawn_refracted(frame, point, view, border.transmitted_cosine,
+                        share * (constant<Real>(1) - border.reflected), depth, stack, top);
+  rays.refracted = static_cast<std::uint16_t>(rays.refracted + (top - reflected_top));
+  return top;
 }
 
 /// What a ray contributes by its first visible point; its secondary rays go on the stack.
@@ -122,12 +149,13 @@ Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
   const Real one = constant<Real>(1);
   std::int32_t height = 0;
   ++rays.primary;
-  Color<Real> sum = follow(frame, primary, {primary.ray, {one, one, one}, 0}, area, height, rays);
+  Color<Real> sum =
+      follow(frame, primary, {primary.ray, {one, one, one}, 0, k_no_node}, area, height, rays);
   while (height > 0) {
     charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 10);
     const PendingRay<Real> pending = area.rays[--height];
-    const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0};
+    const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0, pending.left_behind};
     sum += follow(frame, query, pending, area, height, rays);
   }
   return sum;

@@ -60,10 +60,10 @@ constexpr Real larger(Real a, Real b) {
   return a < b ? b : a;
 }
 
-/// The unit of every tolerance: the relative spacing of the number type.
+/// The unit of every tolerance: so many times the relative spacing of the number type.
 template <class Real>
-constexpr Real spacing() {
-  return static_cast<Real>(std::numeric_limits<Real>::epsilon());
+[[gnu::always_inline]] constexpr Real spacings(double count) {
+  return constant<Real>(count * static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
 /// Stands for a distance that is never reached; inside the range of the FFP format (9.22e18).

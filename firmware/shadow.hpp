@@ -129,9 +129,9 @@ template <class Real>
 /// What of a source's light reaches the origin of a ray of unit direction towards it, at the given
 /// distance: `light` is attenuated. Returns false in shadow.
 template <class Real>
-bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, Crossing<Real>* area,
-             Color<Real>& light) {
-  const RayQuery<Real> query{ray, distance, false, 0, 0};
+bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
+             Crossing<Real>* area, Color<Real>& light) {
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
   return pass_node(frame, query, frame.database.root, area, light);
 }
 

@@ -13,6 +13,8 @@ struct SurfacePoint {
   SurfaceIndex surface;  ///< whose optical properties count
   SurfaceIndex before;   ///< medium on the ray's side
   SurfaceIndex after;
+  NodeIndex leaf;  ///< whose surface it is
+  bool is_inside;  ///< the ray comes from the inside of that leaf
 };
 
 /// Spacings by which a secondary ray starts off the surface, per unit of its coordinates: more than
@@ -53,12 +55,25 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
   // moved, its sign may be wrong.
   charge<Real>(Operation::branch);
   point.normal = crossing.outwards ? -outward : outward;
-  point.clearance = (prepared.scale + magnitude(point.position)) *
-                    (constant<Real>(k_clearance) * spacing<Real>());
+  point.clearance = (prepared.scale + magnitude(point.position)) * spacings<Real>(k_clearance);
   point.surface = visible_surface(frame, crossing, before);
   point.before = before;
   point.after = crossing.medium;
+  point.leaf = crossing.leaf;
+  point.is_inside = crossing.outwards;
   return point;
+}
+
+/// The leaf that a ray leaving on the side of the normal need not be tested against again.
+template <class Real>
+NodeIndex left_behind(const SurfacePoint<Real>& point) {
+  return point.is_inside ? k_no_node : point.leaf;
+}
+
+/// The same for a ray leaving on the other side.
+template <class Real>
+NodeIndex far_left_behind(const SurfacePoint<Real>& point) {
+  return point.is_inside ? point.leaf : k_no_node;
 }
 
 /// The point from which a ray leaves the surface on the side of its normal.

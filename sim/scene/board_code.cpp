@@ -61,6 +61,8 @@ constexpr OptionalCode k_optional_code[] = {
     {"pass_surface", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
     {"far_departure", [](const Needs& needs) { return needs.transparency; }},
     {"spawn", [](const Needs& needs) { return needs.reflections; }},
+    {"spawn_reflected", [](const Needs& needs) { return needs.reflections; }},
+    {"spawn_refracted", [](const Needs& needs) { return needs.reflections && needs.transparency; }},
 };
 
 bool is_of(std::string_view function, std::string_view optional) {
