@@ -1,0 +1,174 @@
+#include "firmware/direct_light.hpp"
+
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include "tests/firmware/facet_surface.hpp"
+
+namespace maquette::firmware {
+namespace {
+
+using trial::BuiltFrame;
+using trial::Model;
+using trial::Random;
+
+constexpr double k_pi = elementary::k_pi;
+
+/// A point of a plane z = 0 as it is seen from above under an angle.
+struct Scene {
+  explicit Scene(const Surface<double>& surface) {
+    model.surfaces = {surface};
+    const NodeIndex root = model.add(PrimitiveKind::half_space, trial::unmoved());
+    built = std::make_unique<BuiltFrame<double>>(model, root);
+    point.normal = {0, 0, 1};
+    point.before = k_void;
+    point.after = 0;
+  }
+
+  Color<double> reflected(const Vector<double>& towards_view, const Vector<double>& to_light) {
+    const View<double> view = view_of(built->frame, point, -towards_view);
+    return reflectance(built->frame, point, view, {to_light, 1, to_light.z});
+  }
+
+  Model model;
+  std::unique_ptr<BuiltFrame<double>> built;
+  SurfacePoint<double> point{};
+};
+
+Vector<double> view_at(double cosine) { return {std::sqrt(1 - cosine * cosine), 0, cosine}; }
+
+/// Share of the light that arrives from the view's direction that leaves in any other, by a
+/// quadrature over the hemisphere. By reciprocity that is what a uniformly bright sky shows.
+double albedo(Scene& scene, double cosine) {
+  constexpr int k_rings = 400;
+  constexpr int k_sectors = 400;
+  const Vector<double> view = view_at(cosine);
+  Color<double> sum(0, 0, 0);
+  for (int ring = 0; ring < k_rings; ++ring) {
+    const double theta = (ring + 0.5) * (k_pi / 2) / k_rings;
+    for (int sector = 0; sector < k_sectors; ++sector) {
+      const double phi = (sector + 0.5) * k_pi / k_sectors;  // half: the other mirrors it
+      const Vector<double> light(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                 std::cos(theta));
+      sum += scene.reflected(view, light) * std::sin(theta);
+    }
+  }
+  const double cell = (k_pi / 2 / k_rings) * (k_pi / k_sectors) * 2;
+  return larger(sum.x, larger(sum.y, sum.z)) * cell;
+}
+
+TEST_CASE("A matt surface reflects its diffuse share under every angle") {
+  Scene scene(trial::matt_surface({0.8, 0.5, 0.2}));
+  CHECK(albedo(scene, 0.9) == Approx(0.8).epsilon(1e-4));
+  CHECK(albedo(scene, 0.1) == Approx(0.8).epsilon(1e-4));
+}
+
+TEST_CASE("No surface reflects more than arrives, whatever the angle") {
+  for (const auto distribution : {FacetDistribution::cosine_power, FacetDistribution::gaussian,
+                                  FacetDistribution::trowbridge_reitz}) {
+    for (const double half_angle : {0.1, 0.3, 0.8}) {
+      for (const double specular : {0.4, 1.0}) {
+        Surface<double> plastic = trial::facet_surface(distribution, half_angle);
+        plastic.diffuse = {1, 1, 1};
+        plastic.specular = specular;
+        Surface<double> silver = plastic;
+        silver.metal = true;
+        silver.index = {0.05, 0.05, 0.05};
+        silver.extinction = {4, 4, 4};
+        Surface<double> glass = trial::facet_surface(distribution, half_angle);
+        glass.transparent = true;
+        for (const double cosine : {1.0, 0.8, 0.5, 0.2, 0.05}) {
+          CAPTURE(static_cast<int>(distribution), half_angle, specular, cosine);
+          Scene of_plastic(plastic);
+          Scene of_silver(silver);
+          Scene of_glass(glass);
+          CHECK(albedo(of_plastic, cosine) < 1.001);
+          CHECK(albedo(of_silver, cosine) < 1.001);
+          CHECK(albedo(of_glass, cosine) < 1.001);
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("A nearly smooth surface seen from above reflects what a mirror would") {
+  for (const auto distribution : {FacetDistribution::cosine_power, FacetDistribution::gaussian}) {
+    Surface<double> silver = trial::facet_surface(distribution, 0.03);
+    silver.metal = true;
+    silver.index = {0.2, 0.2, 0.2};
+    silver.extinction = {3, 3, 3};
+    Scene scene(silver);
+    CHECK(albedo(scene, 0.99) == Approx(conductor_reflection(0.99, 0.2, 3.0)).epsilon(0.02));
+  }
+}
+
+TEST_CASE("Light and view may be exchanged") {
+  Random random(1001);
+  const Vector<double> normal(0, 0, 1);
+  Surface<double> plastic = trial::facet_surface(FacetDistribution::trowbridge_reitz, 0.3);
+  plastic.specular = 0.6;
+  plastic.diffuse = {0.5, 0.5, 0.5};
+  Scene scene(plastic);
+  for (int i = 0; i < 5000; ++i) {
+    const Vector<double> a = random.direction_around(normal, random.uniform(0.02, 1));
+    const Vector<double> b = random.direction_around(normal, random.uniform(0.02, 1));
+    // The reflectance times the cosine of the incidence.
+    REQUIRE(scene.reflected(a, b).x * a.z == Approx(scene.reflected(b, a).x * b.z).epsilon(1e-9));
+  }
+}
+
+/// Shares of a uniformly bright surrounding that a rough border of two dielectrics shows.
+struct BorderShares {
+  double reflected;
+  double transmitted;
+};
+
+BorderShares border_shares(const Surface<double>& glass, double cosine, double index) {
+  constexpr int k_steps = 300;
+  SurfacePoint<double> point{};
+  point.normal = {0, 0, 1};
+  const View<double> view{view_at(cosine), cosine, index};
+  BorderShares shares{0, 0};
+  for (int ring = 0; ring < k_steps; ++ring) {
+    const double theta = (ring + 0.5) * (k_pi / 2) / k_steps;
+    for (int sector = 0; sector < k_steps; ++sector) {
+      const double phi = (sector + 0.5) * k_pi / k_steps;
+      const double z = std::cos(theta);
+      const Vector<double> above(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                                 z);
+      const Vector<double> below(above.x, above.y, -z);
+      shares.reflected += glossy_reflection(glass, point, view, above, z).x * std::sin(theta);
+      shares.transmitted += glossy_transmission(glass, point, view, below, z) * std::sin(theta);
+    }
+  }
+  const double cell = (k_pi / 2 / k_steps) * (k_pi / k_steps) * 2;
+  return {shares.reflected * cell, shares.transmitted * cell};
+}
+
+TEST_CASE("Where a ray leaves glass, what is reflected and let through is no more than arrives") {
+  for (const double index : {1 / 1.05, 1 / 1.5, 1 / 2.4, 1.0}) {
+    for (const double half_angle : {0.1, 0.4}) {
+      const auto glass = trial::facet_surface(FacetDistribution::trowbridge_reitz, half_angle);
+      for (const double cosine : {1.0, 0.6, 0.1}) {
+        CAPTURE(index, half_angle, cosine);
+        const BorderShares shares = border_shares(glass, cosine, index);
+        CHECK(shares.reflected >= 0);
+        CHECK(shares.transmitted >= 0);
+        CHECK(shares.reflected + shares.transmitted < 1.001);
+      }
+    }
+  }
+}
+
+TEST_CASE("A grazing light in the view's back leaves numbers finite") {
+  Scene scene(trial::facet_surface(FacetDistribution::gaussian, 0.2));
+  for (const double low : {0.0, 1e-300, 1e-17, 1e-9}) {
+    const Vector<double> view = glm::normalize(Vector<double>(1, 0, low));
+    const Vector<double> light = glm::normalize(Vector<double>(-1, 0, 1e-9));
+    CHECK(std::isfinite(scene.reflected(view, light).x));
+    CHECK(std::isfinite(scene.reflected(view, -view + Vector<double>(0, 0, 1e-12)).x));
+  }
+}
+
+}  // namespace
+}  // namespace maquette::firmware
