@@ -83,8 +83,8 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
 void add_pictures(const std::string& name, const std::vector<models::Duration>& instants,
                   const std::vector<models::Picture>& pictures, std::vector<NamedContent>& files) {
   for (std::size_t i = 0; i < pictures.size(); ++i) {
-    files.push_back({fmt::format("{}-{}s.png", name, format_seconds(instants[i])),
-                     encode_png(pictures[i])});
+    files.push_back(
+        {fmt::format("{}-{}s.png", name, format_seconds(instants[i])), encode_png(pictures[i])});
   }
 }
 

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace maquette::benchmark {
+
+/// One measured figure.
+struct Row {
+  std::string name;
+  double value;
+  std::string unit;             ///< "1" for a ratio
+  std::optional<double> bound;  ///< the value should not exceed it
+  std::string meaning;
+};
+
+/// Where programs and scenes are.
+struct Paths {
+  std::string program;    ///< maquette
+  std::string benchmark;  ///< this program, which can render a plain frame
+  std::string scene;
+  std::string models;
+  std::string scratch;  ///< a directory of its own
+};
+
+/// Whole processes, one thread: simulation of the frame against the plain firmware rendering it.
+std::vector<Row> measure_simulation(const Paths& paths);
+
+/// The same with two threads.
+std::vector<Row> measure_two_threads(const Paths& paths);
+
+/// Synthesis alone, in this process: counting type against float.
+std::vector<Row> measure_counting(const Paths& paths);
+
+/// Renders the scene with the plain float firmware and writes the picture.
+void render_plain(const Paths& paths, const std::string& directory);
+
+}  // namespace maquette::benchmark
