@@ -92,8 +92,8 @@ class Kvm02 : public sc_core::sc_module {
   Duration computing_{};  // since then, before the next request
   int row_ = 0;           // of the pixels that wait to be written
   std::vector<unsigned char> bytes_;
+  BusTransaction transaction_;  // before the payload, which frees its extensions
   tlm::tlm_generic_payload payload_;
-  BusTransaction transaction_;
   bool started_ = false;
   Instant started_at_{};
   BoardStatistics statistics_;

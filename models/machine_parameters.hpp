@@ -42,7 +42,7 @@ struct Kvm02Parameters {
   ArithmeticCosts arithmetic;
   /// Added to every call of the arithmetic package: JSR, one operand loaded, the result stored.
   OperationCost call_overhead{52, 9, 4};
-  std::int64_t ram_bytes = 128 * 1024;
+  std::int64_t ram_bytes = std::int64_t{128} * 1024;
   Clocks ram_read_wait_clocks = 2;
   Clocks ram_write_wait_clocks = 1;
   Duration refresh_period{15'000'000};  ///< one RAM cycle is stolen per period; 0 is off

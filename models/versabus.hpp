@@ -8,6 +8,7 @@
 #include <string>
 #include <systemc>
 #include <tlm>
+#include <utility>
 #include <vector>
 
 #include "models/access_law.hpp"
@@ -89,7 +90,7 @@ class VersaBus : public sc_core::sc_module {
   enum class State { computing, requesting, retired };
 
   struct Master {
-    explicit Master(const BusMaster& what) : description(what) {}
+    explicit Master(BusMaster what) : description(std::move(what)) {}
 
     BusMaster description;
     State state = State::computing;
@@ -100,8 +101,8 @@ class VersaBus : public sc_core::sc_module {
     BusTransaction* transaction = nullptr;
     BusTransaction plain;       // stands in for a payload's missing extension
     std::int64_t accesses = 0;  // of the burst
+    BusStrobe strobe;           // before the payload, which frees its extensions
     tlm::tlm_generic_payload access;
-    BusStrobe strobe;
     sc_core::sc_event completed;
   };
 

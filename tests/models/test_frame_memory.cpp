@@ -53,8 +53,8 @@ class Probe : public sc_core::sc_module {
   [[nodiscard]] tlm::tlm_response_status status() const { return access_.get_response_status(); }
 
  private:
+  BusStrobe strobe_;  // before the payload, which frees its extensions
   tlm::tlm_generic_payload access_;
-  BusStrobe strobe_;
 };
 
 TEST_CASE("a pixel is two 16-bit words or one of 32 bits") {
