@@ -131,6 +131,10 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
         crossing.distance * (query.is_primary ? length(query.ray.direction) : constant<Real>(1));
     arriving.weight *= transmitted_over(database.surfaces[before], travelled);
   }
+  if (before != k_void && !(crossing.distance < far_away<Real>())) {
+    charge<Real>(Operation::load, 3);
+    return arriving.weight * database.background;  // matter of a half-space has no end
+  }
   const SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
   const View<Real> view = view_of(
       frame, point, query.is_primary ? normalize(query.ray.direction) : query.ray.direction);

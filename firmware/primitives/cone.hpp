@@ -57,7 +57,13 @@ bool clip_side(Interval<Real>& interval, const SideEquation<Real>& equation, boo
   const Real root = square_root(larger(equation.discriminant, zero));
   const Real q = equation.b < zero ? root - equation.b : -(equation.b + root);
   const Real far = far_away<Real>();
-  const Real first = absolute(equation.a) * far > absolute(q) ? q / equation.a : far;
+  Real first;
+  if (absolute(equation.a) * far > absolute(q)) {
+    first = q / equation.a;
+  } else {
+    // Parallel to a generatrix: one side of the quotient's infinity.
+    first = (q < zero) == steep ? far : -far;
+  }
   const Real second = absolute(q) > zero ? equation.c / q : zero;
   const Real low = equation.base + smaller(first, second);
   const Real high = equation.base + larger(first, second);

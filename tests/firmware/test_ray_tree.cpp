@@ -191,6 +191,22 @@ TEST_CASE("In a surrounding of brightness 1 nothing looks brighter") {
   }
 }
 
+TEST_CASE("A half-space of glass has no bottom") {
+  Model model;
+  model.background = {0.25, 0.5, 1};
+  const SurfaceIndex water = model.add(trial::glass_surface(1.33));
+  const SurfaceIndex ink = model.add(trial::glass_surface(1.33, {1, 1, 1}));
+  const Placement facing =
+      concatenate(trial::moved({0, 0, 5}), trial::turned({1, 0, 0}, elementary::k_pi));
+  const NodeIndex sea = model.add(PrimitiveKind::half_space, facing, water);
+  const NodeIndex black_sea = model.add(PrimitiveKind::half_space, facing, ink);
+  const Color<double> seen = seen_along_axis(model, sea);
+  CHECK(seen.x == Approx(0.25));
+  CHECK(seen.y == Approx(0.5));
+  CHECK(seen.z == Approx(1));
+  CHECK(seen_along_axis(model, black_sea).z == Approx(frontal_reflection(1.33)));
+}
+
 TEST_CASE("A mirror shows what stands behind the viewer") {
   Model model;
   model.surfaces = {trial::matt_surface({0.25, 0.5, 0.75})};
