@@ -33,7 +33,7 @@ PlaceList to_place_list(const BoardPlaces& places) {
   return result;
 }
 
-PlaceList PlaceListType::read(const YamlNode& node, std::string_view name) const {
+PlaceList PlaceListType::read(const YamlNode& node, std::string_view name) {
   if (node.kind != YamlKind::sequence || node.items.empty()) {
     throw DescriptionError(node.place.position(), std::string{name} + ": " + node.kind_name() +
                                                       " stands here; a list of {level, position} "
@@ -42,17 +42,17 @@ PlaceList PlaceListType::read(const YamlNode& node, std::string_view name) const
   PlaceList result;
   for (const YamlNode& item : node.items) {
     FieldReader reader{item, name};
-    declare_place(reader, result.emplace_back());
+    declare_place(reader, result.emplace_back(), true);
     reader.finish();
   }
   return result;
 }
 
-YamlNode PlaceListType::write(const PlaceList& value) const {
+YamlNode PlaceListType::write(const PlaceList& value) {
   std::vector<YamlNode> items;
   for (models::BusMasterPlace place : value) {
     FieldWriter writer;
-    declare_place(writer, place);
+    declare_place(writer, place, true);
     items.push_back(writer.take());
   }
   return yaml_sequence(std::move(items));

@@ -24,19 +24,20 @@ struct BoardPlaces {
 
 /// A list of {level, position}.
 struct PlaceListType {
-  [[nodiscard]] PlaceList read(const YamlNode& node, std::string_view name) const;
-  [[nodiscard]] YamlNode write(const PlaceList& value) const;
-  [[nodiscard]] std::string unit() const { return "none"; }
-  [[nodiscard]] std::string range() const { return "level 0 to 4, position 0 to 255"; }
+  [[nodiscard]] static PlaceList read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const PlaceList& value);
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "level 0 to 4, position 0 to 255"; }
 };
 
 /// The fields of one master's place.
 template <class Visitor>
-void declare_place(Visitor& visitor, models::BusMasterPlace& place) {
-  visitor.field(required("level", "request level; 4 is the highest", "VM02 data sheet p. 2-53 [R]"),
-                place.level, WholeType{WholeDimension::count, {0, 4}});
-  visitor.field(required("position", "in the daisy chain of the level; 0 is nearest to the arbiter",
-                         "principle of VMEbus [I]"),
+void declare_place(Visitor& visitor, models::BusMasterPlace& place, bool is_required) {
+  visitor.field(
+      {"level", "request level; 4 is the highest", "VM02 data sheet p. 2-53 [R]", is_required},
+      place.level, WholeType{WholeDimension::count, {0, 4}});
+  visitor.field({"position", "in the daisy chain of the level; 0 is nearest to the arbiter",
+                 "principle of VMEbus [I]", is_required},
                 place.position, WholeType{WholeDimension::count, {0, 255}});
 }
 

@@ -13,7 +13,7 @@ namespace maquette::sim {
 inline constexpr RealType k_clock{RealDimension::frequency, {1e3, 1e9}};
 inline constexpr WholeType k_clocks{WholeDimension::clocks, {0, 100'000}};
 inline constexpr WholeType k_time{WholeDimension::time, {0, 1'000'000'000'000}};
-inline constexpr WholeType k_memory{WholeDimension::memory, {0, 16 * 1024 * 1024}};
+inline constexpr WholeType k_memory{WholeDimension::memory, {0, 16 * k_mebibyte}};
 inline constexpr WholeType k_plane{WholeDimension::bits, {1, 8}};
 
 /// RAM, its wait states and its refresh.
@@ -21,7 +21,7 @@ template <class Visitor>
 void declare_board_memory(Visitor& visitor, models::Kvm02Parameters& board) {
   constexpr WholeType k_wait{WholeDimension::clocks, {0, 100}};
   visitor.field({"ram", "local dynamic RAM of a board", "VM02 data sheet p. 2-51, 2-53 [R]"},
-                board.ram_bytes, WholeType{WholeDimension::memory, {1024, 16 * 1024 * 1024}});
+                board.ram_bytes, WholeType{WholeDimension::memory, {1024, 16 * k_mebibyte}});
   visitor.field({"ram_read_wait", "wait states of a local read, parity off, typical",
                  "VM02 data sheet table 1 p. 2-56 [R]"},
                 board.ram_read_wait_clocks, k_wait);
@@ -91,7 +91,8 @@ void declare_board(Visitor& visitor, Machine& machine) {
   declare_board_memory(visitor, board);
   visitor.group({"call_overhead", "added to every call of the arithmetic package"}, [&] {
     declare_cost(visitor, board.call_overhead,
-                 "MC68000 instruction times: JSR 20(3/2), one operand 16(4/0), result 16(2/2) [I]");
+                 "MC68000 instruction times: JSR 20(3/2), one operand 16(4/0), result 16(2/2) [I]",
+                 false);
   });
   visitor.group(required("arithmetic", "cost of every operation"),
                 [&] { declare_arithmetic(visitor, machine); });
@@ -171,7 +172,7 @@ void declare_video(Visitor& visitor, models::VideoParameters& video) {
 template <class Visitor>
 void declare_host(Visitor& visitor, models::HostParameters& host) {
   visitor.group({"place", "of the EXORmacs on the bus"},
-                [&] { declare_place(visitor, host.place); });
+                [&] { declare_place(visitor, host.place, false); });
   visitor.field({"clock", "of the EXORmacs processor", "as the boards [I]"}, host.clock_hz,
                 k_clock);
   visitor.field({"word_clocks", "of its copying loop per 16-bit word, besides the access",

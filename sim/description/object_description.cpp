@@ -114,7 +114,7 @@ void read_primitive(const YamlEntry& entry, Object& object) {
 }
 
 std::string ObjectReader::read_surface(const YamlNode& node) const {
-  std::string name = TextType{}.read(node, "surface");
+  std::string name = TextType::read(node, "surface");
   if (surfaces_.find(name) == surfaces_.end()) {
     std::vector<std::string_view> allowed{surfaces_.begin(), surfaces_.end()};
     std::sort(allowed.begin(), allowed.end());
@@ -148,7 +148,7 @@ Object ObjectReader::read(const YamlNode& node, const Surroundings& above) const
   object.position_in_file = node.place.position();
   Surroundings here{above.to_scene, above.has_surface, above.depth + 1};
   if (const YamlNode* name = node.find("name")) {
-    object.name = TextType{}.read(*name, "name");
+    object.name = TextType::read(*name, "name");
     check_name(object.name, name->place, "name");
   }
   if (const YamlNode* surface = node.find("surface")) {

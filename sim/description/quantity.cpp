@@ -66,9 +66,9 @@ std::string with_unit(const std::string& number, std::string_view unit) {
 
 /// Candidates come with growing units.
 void keep_shorter(std::string& shortest, const std::string& candidate) {
-  const bool is_below_one = candidate.rfind("0.", 0) == 0;
+  const bool is_odd = candidate.rfind("0.", 0) == 0 || candidate.find("e-") != std::string::npos;
   if (shortest.empty() || candidate.size() < shortest.size() ||
-      (candidate.size() == shortest.size() && !is_below_one)) {
+      (candidate.size() == shortest.size() && !is_odd)) {
     shortest = candidate;
   }
 }

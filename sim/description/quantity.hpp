@@ -18,7 +18,8 @@ namespace maquette::sim {
 [[nodiscard]] std::int64_t parse_quantity(std::string_view text, WholeDimension dimension);
 
 /// The shortest text that reads back to the same value; of equally short ones the one with the
-/// largest unit that does not make it begin with "0.".
+/// largest unit that does not make it begin with "0." or need an
+/// exponent.
 [[nodiscard]] std::string format_quantity(double value, RealDimension dimension);
 [[nodiscard]] std::string format_quantity(std::int64_t value, WholeDimension dimension);
 

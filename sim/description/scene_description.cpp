@@ -39,7 +39,7 @@ void finish_named(Surface& surface, const YamlEntry& entry) {
 /// A mapping from names to lights or surfaces.
 template <class Element>
 struct NamedType {
-  [[nodiscard]] std::vector<Element> read(const YamlNode& node, std::string_view name) const {
+  [[nodiscard]] static std::vector<Element> read(const YamlNode& node, std::string_view name) {
     check_mapping(node, name);
     if (node.entries.size() > k_most_named) {
       throw DescriptionError(node.place.position(),
@@ -59,7 +59,7 @@ struct NamedType {
     return elements;
   }
 
-  [[nodiscard]] YamlNode write(const std::vector<Element>& elements) const {
+  [[nodiscard]] static YamlNode write(const std::vector<Element>& elements) {
     YamlNode mapping = yaml_mapping();
     for (Element element : elements) {
       FieldWriter writer;
@@ -82,7 +82,7 @@ struct ObjectType {
     return read_object(node, names);
   }
 
-  [[nodiscard]] YamlNode write(const Object& object) const { return write_object(object); }
+  [[nodiscard]] static YamlNode write(const Object& object) { return write_object(object); }
 };
 
 /// What a scene holds besides its plain parameters.

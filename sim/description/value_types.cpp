@@ -88,7 +88,7 @@ glm::dvec3 TripleType::read(const YamlNode& node, std::string_view name) const {
   return value;
 }
 
-YamlNode TripleType::write(const glm::dvec3& value) const {
+YamlNode TripleType::write(const glm::dvec3& value) {
   std::vector<YamlNode> items;
   items.reserve(3);
   for (int i = 0; i < 3; ++i) {
@@ -101,11 +101,11 @@ std::string TripleType::range() const {
   return "three of " + range_text(bounds, RealDimension::number);
 }
 
-std::string TextType::read(const YamlNode& node, std::string_view name) const {
+std::string TextType::read(const YamlNode& node, std::string_view name) {
   return scalar_text(node, name, "a text");
 }
 
-bool FlagType::read(const YamlNode& node, std::string_view name) const {
+bool FlagType::read(const YamlNode& node, std::string_view name) {
   const std::string& text = scalar_text(node, name, "true or false");
   if (text != "true" && text != "false") {
     fail(node, name, "`" + text + "` is not known; allowed: true, false");

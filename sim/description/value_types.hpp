@@ -30,6 +30,8 @@ struct Range {
 /// firmware's numbers.
 inline constexpr double k_largest_length = 1e9;
 
+inline constexpr std::int64_t k_mebibyte = 1'048'576;
+
 struct RealType {
   RealDimension dimension;
   Range<double> bounds;
@@ -60,24 +62,24 @@ struct TripleType {
   bool one_for_all = false;
 
   [[nodiscard]] glm::dvec3 read(const YamlNode& node, std::string_view name) const;
-  [[nodiscard]] YamlNode write(const glm::dvec3& value) const;
-  [[nodiscard]] std::string unit() const { return "none"; }
+  [[nodiscard]] static YamlNode write(const glm::dvec3& value);
+  [[nodiscard]] static std::string unit() { return "none"; }
   [[nodiscard]] std::string range() const;
 };
 
 /// Free text.
 struct TextType {
-  [[nodiscard]] std::string read(const YamlNode& node, std::string_view name) const;
-  [[nodiscard]] YamlNode write(const std::string& value) const { return yaml_scalar(value); }
-  [[nodiscard]] std::string unit() const { return "none"; }
-  [[nodiscard]] std::string range() const { return "text"; }
+  [[nodiscard]] static std::string read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::string& value) { return yaml_scalar(value); }
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "text"; }
 };
 
 struct FlagType {
-  [[nodiscard]] bool read(const YamlNode& node, std::string_view name) const;
-  [[nodiscard]] YamlNode write(bool value) const { return yaml_scalar(value ? "true" : "false"); }
-  [[nodiscard]] std::string unit() const { return "none"; }
-  [[nodiscard]] std::string range() const { return "true, false"; }
+  [[nodiscard]] static bool read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(bool value) { return yaml_scalar(value ? "true" : "false"); }
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "true, false"; }
 };
 
 /// The index of `node`'s text in `names`; throws DescriptionError with the allowed names.
@@ -107,7 +109,7 @@ struct ChoiceType {
     }
     throw DescriptionError("a value has no name among its choices");
   }
-  [[nodiscard]] std::string unit() const { return "none"; }
+  [[nodiscard]] static std::string unit() { return "none"; }
   [[nodiscard]] std::string range() const {
     std::string list;
     for (const auto& choice : choices) {

@@ -153,6 +153,8 @@ TEST_CASE("files are found relative to the file that names them") {
   CHECK(load_description({scene, machine, {}, models}).machine.name == "big");
   CHECK(load_text(k_rich_scene + "machine: {name: bare}\n").machine.arithmetic_name ==
         "motorola_ffp");
+  CHECK(load_description({scene, machine, {"board.call_overhead.clocks=20"}, models})
+            .machine.parameters.board.call_overhead.reads == 9);
   CHECK(describes_machine(machine));
   CHECK_FALSE(describes_machine(scene));
 }

@@ -90,6 +90,7 @@ TEST_CASE("quantities are written in the unit that makes them shortest") {
   CHECK(format_quantity(0.25, RealDimension::number) == "0.25");
   CHECK(format_quantity(1e300, RealDimension::number) == "1e300");
   CHECK(format_quantity(std::int64_t{625'000}, WholeDimension::time) == "625 ns");
+  CHECK(format_quantity(std::int64_t{400'000}, WholeDimension::time) == "400 ns");
   CHECK(format_quantity(std::int64_t{10'500'000}, WholeDimension::time) == "10.5 us");
   CHECK(format_quantity(std::int64_t{64'000'000}, WholeDimension::time) == "64 us");
   CHECK(format_quantity(std::int64_t{131072}, WholeDimension::memory) == "128 KiB");
