@@ -59,8 +59,8 @@ bool is_span_right(PrimitiveKind kind, double top, const Vector<double>& origin,
   if (found.count == 2 && !(found.hits[0].distance < found.hits[1].distance)) {
     return false;
   }
-  for (int step = -160; step <= 160; ++step) {
-    const double t = step * 0.05 + 0.013;
+  for (int step = -50; step <= 50; ++step) {
+    const double t = step * 0.16 + 0.013;
     const double outside = outside_by(kind, top, origin + direction * t);
     const bool is_between = found.count == 2 && static_cast<double>(found.hits[0].distance) < t &&
                             t < static_cast<double>(found.hits[1].distance);
