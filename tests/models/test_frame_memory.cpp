@@ -126,6 +126,23 @@ TEST_CASE("what makes no frame memory is refused") {
   CHECK_THROWS_AS(memory.picture_at(Instant{0}), std::logic_error);
 }
 
+TEST_CASE("a write that is done in the instant of the scan is shown, a tick later it is not") {
+  const FrameMemoryParameters parameters = small(8);
+  const VideoTiming timing = timing_of(parameters);
+  FrameMemory memory("memory", parameters, timing, 0, true);
+  Probe probe("probe", memory);
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  const Instant far{39'000'000'000};
+  const Instant first = *timing.last_scan(0, 0, far);
+  const Instant second = *timing.last_scan(1, 0, far);
+  probe.write(0, {9, 9}, first - parameters.access_time);
+  probe.write(4, {9, 9}, second - parameters.access_time + k_tick);
+  const Picture shown = shown_picture(memory, timing, far);
+  CHECK(shown.at(0, 0) == 0x090900);
+  CHECK(shown.at(1, 0) == 0);
+  CHECK(memory.picture_at(far).at(1, 0) == 0x090900);
+}
+
 TEST_CASE("snapshots: the memory and the screen at any instant") {
   const FrameMemoryParameters parameters = small(8);
   const VideoTiming timing = timing_of(parameters);
