@@ -67,6 +67,39 @@ std::string parameter_table(const std::vector<ParameterRow>& rows) {
   return text;
 }
 
+const char* mark_of(ConfidenceMark mark) {
+  switch (mark) {
+    case ConfidenceMark::read:
+      return "R";
+    case ConfidenceMark::measured:
+      return "M";
+    case ConfidenceMark::stated:
+      return "W";
+    case ConfidenceMark::inferred:
+      break;
+  }
+  return "I";
+}
+
+/// One line per operation: costs without wait states, whether a call, mark and source.
+std::string cost_table(const Machine& machine) {
+  const models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
+  std::string text = fmt::format(
+      "Cost table {} (board.arithmetic.OPERATION.clocks, .reads, .writes), {} bytes of "
+      "code; R read, M measured, W widely stated, I inferred\n",
+      machine.arithmetic_name, costs.package_bytes);
+  text += fmt::format("  {:<17} {:>8} {:>7} {:>7}  {:<7} {}\n", "operation", "clocks", "reads",
+                      "writes", "", "source");
+  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
+    const models::OperationCost& cost = costs.operations[i];
+    const CostSource& source = machine.arithmetic_sources[i];
+    text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
+                        firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
+                        costs.called[i] ? "called" : "in line", mark_of(source.mark), source.text);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string scene_report(const Scene& scene, const Machine& machine) {
@@ -89,9 +122,16 @@ std::string scene_report(const Scene& scene, const Machine& machine) {
 }
 
 std::string machine_report(const Machine& machine) {
-  return fmt::format(
-      "Machine {}\n{}", machine.name,
-      parameter_table(with_defaults(list_parameters(machine), list_parameters(default_machine()))));
+  std::vector<ParameterRow> rows =
+      with_defaults(list_parameters(machine), list_parameters(default_machine()));
+  const std::string prefix = "board.arithmetic.";
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [&prefix](const ParameterRow& row) {
+                              return row.path.compare(0, prefix.size(), prefix) == 0;
+                            }),
+             rows.end());
+  return fmt::format("Machine {}\n{}\n{}", machine.name, parameter_table(rows),
+                     cost_table(machine));
 }
 
 }  // namespace maquette::sim

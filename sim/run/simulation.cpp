@@ -1,5 +1,6 @@
 #include "sim/run/simulation.hpp"
 
+#include <algorithm>
 #include <systemc>
 
 #include "models/ccett_machine.hpp"
@@ -61,6 +62,13 @@ void take_snapshots(const models::CcettMachine& model, const SimulationRequest& 
   }
 }
 
+/// The machine with RAM enough for what its boards are allowed to overflow it with.
+Machine with_room(const Machine& machine, const MemoryMap& map) {
+  Machine roomy = machine;
+  roomy.parameters.board.ram_bytes = std::max(map.ram_bytes, map.used_bytes);
+  return roomy;
+}
+
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    CountedSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
@@ -108,7 +116,7 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   setup.images.assign(machine.parameters.boards.size(), image_of(scene, map, size));
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
-    return simulate_prepared(machine, request, source, setup, go_on);
+    return simulate_prepared(with_room(machine, map), request, source, setup, go_on);
   } catch (const std::invalid_argument& error) {
     throw DescriptionError(std::string("these parameters make no machine: ") + error.what());
   } catch (const sc_core::sc_report& report) {

@@ -1,0 +1,57 @@
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "firmware/database.hpp"
+#include "tests/program/program.hpp"
+
+using namespace maquette::tests;
+
+namespace {
+
+const std::filesystem::path k_scenes = std::filesystem::path(MAQUETTE_PROJECT_DIRECTORY) / "scenes";
+
+std::set<std::string> scenes_in(const std::string& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(k_scenes / folder)) {
+    names.insert(entry.path().stem().string());
+  }
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("Every primitive and every operator has a scene of its own") {
+  CHECK(scenes_in("primitives").size() == maquette::firmware::k_primitive_kind_count);
+  CHECK(scenes_in("primitives") ==
+        std::set<std::string>{"half_space", "box", "sphere", "cylinder", "cone"});
+  CHECK(scenes_in("operators") == std::set<std::string>{"union", "intersection", "difference"});
+}
+
+TEST_CASE("Every shipped scene runs") {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(k_scenes)) {
+    if (entry.path().extension() != ".yaml") {
+      continue;
+    }
+    const ScratchDirectory scratch;
+    const Outcome outcome = run_maquette("run " + entry.path().string() + k_small_frame +
+                                         "--quiet --outdir " + (scratch / "out").string());
+    INFO(entry.path() << "\n" << outcome.errors);
+    CHECK(outcome.exit_code == 0);
+    CHECK(outcome.output.empty());
+    CHECK(std::filesystem::exists(scratch / "out" / "frame.png"));
+  }
+}
+
+TEST_CASE("What a scene does not need is left out") {
+  const std::string describe = "describe " + (k_scenes / "primitives" / "box.yaml").string();
+  const Outcome outcome = run_maquette(describe);
+  REQUIRE(outcome.exit_code == 0);
+  const std::size_t at = outcome.output.find("left out:");
+  REQUIRE(at != std::string::npos);
+  const std::string left_out = outcome.output.substr(at, outcome.output.find('\n', at) - at);
+  for (const char* name : {"sphere", "cone", "transparency", "metals", "secondary rays"}) {
+    INFO(name);
+    CHECK(left_out.find(name) != std::string::npos);
+  }
+  CHECK(left_out.find("box") == std::string::npos);
+}
