@@ -45,16 +45,17 @@ inline void count(Operation operation, std::uint32_t times = 1) {
 
 }  // namespace counting
 
+/// Sums look for a zero operand by the product. It is also zero when both are tiny; at least one is
+/// then below 5.4e-20, which is zero in the package's format.
 inline Counted operator+(Counted a, Counted b) {
   counting::count(Operation::add);
-  counted_meter[Operation::add_zero] += counting::is_zero(a.value) | counting::is_zero(b.value);
+  counted_meter[Operation::add_zero] += counting::is_zero(a.value * b.value);
   return {a.value + b.value};
 }
 
 inline Counted operator-(Counted a, Counted b) {
   counting::count(Operation::subtract);
-  counted_meter[Operation::subtract_zero] +=
-      counting::is_zero(a.value) | counting::is_zero(b.value);
+  counted_meter[Operation::subtract_zero] += counting::is_zero(a.value * b.value);
   return {a.value - b.value};
 }
 
