@@ -67,14 +67,14 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
                                           const std::string& option) {
   std::vector<models::Duration> instants;
   for (const std::string& text : texts) {
+    const SourcePosition position{fmt::format("{} {}", option, text), 1, 1};
     try {
       instants.emplace_back(parse_quantity(text, WholeDimension::time));
     } catch (const std::invalid_argument& error) {
-      throw DescriptionError(SourcePosition{option + " " + text, 1, 1}, error.what());
+      throw DescriptionError(position, error.what());
     }
     if (instants.back().count() < 0) {
-      throw DescriptionError(SourcePosition{option + " " + text, 1, 1},
-                             "a time before the frame; allowed: 0 s and later");
+      throw DescriptionError(position, "a time before the frame; allowed: 0 s and later");
     }
   }
   return instants;

@@ -113,7 +113,7 @@ class TreeBuilder {
 
   /// Unbounded sons come first, on their own: they have no place to be sorted by.
   Node united(Iterator first, Iterator last) {
-    const Iterator bounded =
+    const auto bounded =
         std::stable_partition(first, last, [](const Node& node) { return !node.bounded; });
     if (bounded == first || bounded == last) {
       return halved(first, last);
@@ -130,7 +130,7 @@ class TreeBuilder {
     std::stable_sort(first, last, [axis](const Node& a, const Node& b) {
       return a.center[axis] < b.center[axis];
     });
-    const Iterator middle = first + (last - first) / 2;
+    const auto middle = first + (last - first) / 2;
     const Node lower = halved(first, middle);
     return composite_of(BooleanOperator::union_of, lower, halved(middle, last));
   }
@@ -138,7 +138,7 @@ class TreeBuilder {
   static int widest_axis(Iterator first, Iterator last) {
     Vector3 low(std::numeric_limits<double>::max());
     Vector3 high(-std::numeric_limits<double>::max());
-    for (Iterator node = first; node != last; ++node) {
+    for (auto node = first; node != last; ++node) {
       low = glm::min(low, node->center);
       high = glm::max(high, node->center);
     }

@@ -65,7 +65,7 @@ TEST_CASE("the effective configuration keeps what overrides changed, and places 
   CHECK(first.machine.arithmetic_name == "mc68881");
   const auto multiply = static_cast<std::size_t>(firmware::Operation::multiply);
   CHECK(first.machine.parameters.board.arithmetic.operations[multiply].clocks == 123.25);
-  CHECK(first.machine.parameters.board.arithmetic.operations[multiply].reads == 63.7);
+  CHECK(first.machine.parameters.board.arithmetic.operations[multiply].reads == 31);
   CHECK(first.scene.object.sons[0].size == Vector3{1.25});
   CHECK(first.scene.lights[0].intensity == Color{1, 2, 3});
   CHECK_FALSE(first.scene.shadows);
