@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <thread>
 
@@ -121,6 +122,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
                              : std::filesystem::path(options.outdir);
   create_run_directory(directory);
 
+  // Loading takes about as long as many a simulation: with threads to spare they go side by side.
+  const std::future<void> png =
+      std::async(request.threads > 1 ? std::launch::async : std::launch::deferred, prepare_png);
   const Interruption interruption;
   SimulationResult result;
   {

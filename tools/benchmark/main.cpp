@@ -74,6 +74,8 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember(measurement_names()));
   program.add_option("--json", json_file, "also write the rows to this file");
   program.add_option("--plain", plain_directory, "only render the plain frame into this directory");
+  std::string empty_directory;
+  program.add_option("--empty", empty_directory, "only write a picture of one pixel into it");
   CLI11_PARSE(program, argc, argv);
 
   const std::filesystem::path project = MAQUETTE_PROJECT_DIRECTORY;
@@ -84,6 +86,10 @@ int run(int argc, char** argv) {
                     project / "models", scratch};
   if (!plain_directory.empty()) {
     maquette::benchmark::render_plain(paths, plain_directory);
+    return 0;
+  }
+  if (!empty_directory.empty()) {
+    maquette::benchmark::render_nothing(empty_directory);
     return 0;
   }
   std::filesystem::create_directories(scratch);

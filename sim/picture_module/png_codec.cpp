@@ -1,0 +1,75 @@
+#include "sim/picture_module/png_codec.hpp"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+namespace maquette::sim {
+namespace {
+
+constexpr int k_channels = 3;
+
+// Run lengths of differences to the row above: for 768x575 pixels 9 ms and within 2 % of the
+// smallest file; the library's defaults take 50 ms and more.
+OIIO::ImageSpec png_specification(const PngImage& image) {
+  constexpr int png_filter_up = 0x20;
+  OIIO::ImageSpec specification(image.width, image.height, k_channels, OIIO::TypeDesc::UINT8);
+  specification.attribute("png:compressionLevel", 1);
+  specification.attribute("png:filter", png_filter_up);
+  specification.attribute("compression", "rle");
+  return specification;
+}
+
+// The library may give several lines, of which the first says what is wrong.
+template <typename File>
+std::string first_error(File& file) {
+  const std::string errors = file.geterror();
+  return errors.empty() ? "of an unknown error" : errors.substr(0, errors.find('\n'));
+}
+
+std::string encode(const PngImage& image, std::string& bytes) {
+  std::vector<unsigned char> file;
+  OIIO::Filesystem::IOVecOutput memory(file);
+  const auto output = OIIO::ImageOutput::create("png");
+  if (!output) {
+    return "OpenImageIO cannot write PNG: " + OIIO::geterror();
+  }
+  output->set_ioproxy(&memory);
+  if (!output->open("memory.png", png_specification(image)) ||
+      !output->write_image(OIIO::TypeDesc::UINT8, image.channels.data()) || !output->close()) {
+    return "OpenImageIO cannot write PNG: " + first_error(*output);
+  }
+  bytes.assign(file.begin(), file.end());
+  return {};
+}
+
+std::string decode(const std::string& bytes, PngImage& image) {
+  OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
+  const auto input = OIIO::ImageInput::create("png");
+  if (!input) {
+    return "OpenImageIO cannot read PNG: " + OIIO::geterror();
+  }
+  input->set_ioproxy(&memory);
+  OIIO::ImageSpec specification;
+  if (!input->open("memory.png", specification)) {
+    return "is not a PNG file that can be read: " + first_error(*input);
+  }
+  if (specification.nchannels != k_channels || specification.format != OIIO::TypeDesc::UINT8) {
+    return "has not the three 8-bit channels of a frame";
+  }
+  image.width = specification.width;
+  image.height = specification.height;
+  image.channels.resize(static_cast<std::size_t>(image.width) *
+                        static_cast<std::size_t>(image.height) * k_channels);
+  if (!input->read_image(0, 0, 0, k_channels, OIIO::TypeDesc::UINT8, image.channels.data())) {
+    return "is damaged: " + first_error(*input);
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace maquette::sim
+
+extern "C" const maquette::sim::PngCodec* maquette_png_codec() {
+  static const maquette::sim::PngCodec codec{maquette::sim::encode, maquette::sim::decode};
+  return &codec;
+}
