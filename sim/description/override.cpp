@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/description/description_error.hpp"
+#include "sim/description/nearest_name.hpp"
 #include "sim/description/yaml_reader.hpp"
 
 namespace maquette::sim {
@@ -42,6 +43,19 @@ YamlNode& mapping_value(YamlNode& mapping, const Override::Step& step) {
   return mapping.entries.back().value;
 }
 
+/// Lights and surfaces have names of the user's own: a value inside of one that does not exist is a
+/// slip, while a whole new one may be given.
+void require_entry(const YamlNode& named, const Override::Step& step) {
+  std::vector<std::string_view> names;
+  for (const auto& entry : named.entries) {
+    if (entry.key == step.key) {
+      return;
+    }
+    names.emplace_back(entry.key);
+  }
+  fail(step, "there is none of this name; " + allowed_names(step.key, names));
+}
+
 }  // namespace
 
 Override parse_override(const std::string& text) {
@@ -71,6 +85,11 @@ void apply_override(YamlNode& root, const Override& change, std::size_t first) {
     const Override::Step& step = change.path[i];
     if (node->kind == YamlKind::scalar) {
       fail(step, "a single value stands above it: " + node->kind_name());
+    }
+    const bool is_named = i == first + 1 && (change.path[first].key == "lights" ||
+                                             change.path[first].key == "surfaces");
+    if (is_named && i + 1 < change.path.size()) {
+      require_entry(*node, step);
     }
     node = node->kind == YamlKind::sequence ? &list_item(*node, step) : &mapping_value(*node, step);
   }

@@ -60,7 +60,8 @@ std::string value_lines(const std::string& title, const std::vector<ValueDiffere
   if (differences.empty()) {
     return fmt::format("{}: equal\n", title);
   }
-  std::string text = fmt::format("{}: {} values differ\n", title, differences.size());
+  std::string text = fmt::format("{}: {} {}\n", title, differences.size(),
+                                 differences.size() == 1 ? "value differs" : "values differ");
   for (const auto& difference : differences) {
     text += fmt::format("  {}: {} -> {}", difference.path, difference.first.value_or("(absent)"),
                         difference.second.value_or("(absent)"));
@@ -82,7 +83,8 @@ std::string picture_lines(const PictureDifference& picture) {
     return "picture: equal\n";
   }
   std::string text = fmt::format(
-      "picture: {} pixels differ ({:.3g} %)\n", picture.pixels,
+      "picture: {} {} ({:.3g} %)\n", picture.pixels,
+      picture.pixels == 1 ? "pixel differs" : "pixels differ",
       100 * static_cast<double>(picture.pixels) / (static_cast<double>(width) * height));
   constexpr std::array<const char*, 3> channels{"red", "green", "blue"};
   for (std::size_t i = 0; i < channels.size(); ++i) {

@@ -61,6 +61,8 @@ TEST_CASE("Bad options are refused") {
   check_refused(run + " --set processors=0", scratch, R"(processors=0:1:\d+: )");
   check_refused(run + " --set procesors=2", scratch, "procesors");
   check_refused(run + " --set processors", scratch, "processors");
+  check_refused(run + " --set lights.kye.position=[1,2,3]", scratch, "kye.*allowed: key");
+  check_refused(run + " --set surfaces.green.specular=1", scratch, "green.*allowed: red");
   check_refused(run + " --set board.clock=8", scratch, "MHz");
   check_refused(run + " --machine no-such-machine", scratch, "no-such-machine");
   check_refused(run + " --threads 0", scratch, "threads");

@@ -149,7 +149,7 @@ TEST_CASE("runs: equal ones are equal, and each kind of difference is told") {
     const auto comparison = compare_with_b();
     CHECK_FALSE(comparison.equal());
     CHECK(comparison_report(comparison) ==
-          "configuration: equal\nstatistics: 1 values differ\n"
+          "configuration: equal\nstatistics: 1 value differs\n"
           "  frame.time_s: 422.5 -> 845 (+100 %)\npicture: equal\n");
   }
   SECTION("picture") {
@@ -159,7 +159,7 @@ TEST_CASE("runs: equal ones are equal, and each kind of difference is told") {
     const auto comparison = compare_with_b();
     CHECK_FALSE(comparison.equal());
     CHECK_THAT(comparison_report(comparison),
-               Catch::Contains("picture: 1 pixels differ (1.56 %)") &&
+               Catch::Contains("picture: 1 pixel differs (1.56 %)") &&
                    Catch::Contains("green: largest difference 64 of 255, mean 1"));
   }
   SECTION("size of the picture") {
