@@ -4,6 +4,8 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
+#include <stdexcept>
 
 namespace maquette::sim {
 
@@ -97,15 +99,23 @@ void CountedSource::refill_all() {
           {static_cast<int>(board), start, std::min(start + k_piece_pixels, queue.pixels.size())});
     }
   }
+  // The library orders these threads as well, but out of sight of the thread sanitizer.
+  std::atomic<std::size_t> done{0};
+  done.store(0, std::memory_order_release);
   arena_.execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {
+                        static_cast<void>(done.load(std::memory_order_acquire));
                         for (std::size_t i = range.begin(); i != range.end(); ++i) {
                           synthesise(pieces[i].board, pieces[i].begin, pieces[i].end,
                                      areas_.local());
                         }
+                        done.fetch_add(range.size(), std::memory_order_release);
                       });
   });
+  if (done.load(std::memory_order_acquire) != pieces.size()) {
+    throw std::logic_error("a piece of the picture was not synthesised");
+  }
 }
 
 /// Fills places begin..end of a board's queue.
