@@ -93,7 +93,7 @@ PictureSize picture_size_of(const Machine& machine) {
 /// The memory map of a board, checked.
 MemoryMap checked_map(const Scene& scene, const Machine& machine,
                       const PackedScene<firmware::Counted>& packed) {
-  const MemoryMap map = memory_map_of(packed.database(), packed.tree_height, machine);
+  MemoryMap map = memory_map_of(packed.database(), packed.tree_height, machine);
   check_memory(map, machine, scene.object.position_in_file);
   return map;
 }
