@@ -46,7 +46,6 @@ constexpr OptionalCode k_optional_code[] = {
     {"facet_term", needs_gloss},
     {"fresnel_factor", [](const Needs& needs) { return needs.specular; }},
     {"dielectric_border", [](const Needs& needs) { return needs.dielectrics; }},
-    {"relative_index", [](const Needs& needs) { return needs.dielectrics; }},
     {"conductor_reflection", [](const Needs& needs) { return needs.metals; }},
     {"cosine_power_distribution", [](const Needs& needs) { return needs.facets[0]; }},
     {"gaussian_distribution", [](const Needs& needs) { return needs.facets[1]; }},
@@ -110,11 +109,6 @@ std::int64_t board_stack_bytes(int tree_height) {
     bytes += frame_bytes(function);
   }
   return bytes + (tree_height + 1) * std::max(frame_bytes("cross"), frame_bytes("pass_node"));
-}
-
-std::int64_t board_code_bytes(const char* function) {
-  const firmware::BoardFunction* found = find_function(function);
-  return found == nullptr ? 0 : found->code_bytes;
 }
 
 }  // namespace maquette::sim

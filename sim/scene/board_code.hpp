@@ -18,7 +18,4 @@ BoardCode board_code_of(const firmware::Needs& needs);
 /// from the compiler's stack usage, plus a return address per call.
 std::int64_t board_stack_bytes(int tree_height);
 
-/// Code bytes of one firmware function, 0 when the board's program has none of that name.
-std::int64_t board_code_bytes(const char* function);
-
 }  // namespace maquette::sim
