@@ -136,11 +136,16 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
     return arriving.weight * database.background;  // matter of a half-space has no end
   }
   const SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
-  const View<Real> view = view_of(
-      frame, point, query.is_primary ? normalize(query.ray.direction) : query.ray.direction);
+  const Surface<Real>& surface = database.surfaces[point.surface];
+  // A matt surface looks the same from everywhere.
+  View<Real> view{};
+  if (surface.transparent || surface.specular > constant<Real>(0)) {
+    view = view_of(frame, point,
+                   query.is_primary ? normalize(query.ray.direction) : query.ray.direction);
+  }
   const Color<Real> seen = arriving.weight * direct_light(frame, point, view, area.crossings, rays);
   if (database.needs.reflections && pending.depth < database.ray_depth &&
-      database.surfaces[point.surface].specular > constant<Real>(0)) {
+      surface.specular > constant<Real>(0)) {
     height = spawn(frame, point, view, arriving, area.rays, height, rays);
   }
   return seen;
