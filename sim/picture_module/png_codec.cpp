@@ -3,6 +3,8 @@
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
+#include "sim/picture_module/first_error.hpp"
+
 namespace maquette::sim {
 namespace {
 
@@ -17,13 +19,6 @@ OIIO::ImageSpec png_specification(const PngImage& image) {
   specification.attribute("png:filter", png_filter_up);
   specification.attribute("compression", "rle");
   return specification;
-}
-
-// The library may give several lines, of which the first says what is wrong.
-template <typename File>
-std::string first_error(File& file) {
-  const std::string errors = file.geterror();
-  return errors.empty() ? "of an unknown error" : errors.substr(0, errors.find('\n'));
 }
 
 std::string encode(const PngImage& image, std::string& bytes) {

@@ -1,12 +1,11 @@
 #include "sim/report/image_file.hpp"
 
-#include <dlfcn.h>
-
 #include <cstdint>
 #include <stdexcept>
 
 #include "sim/description/description_error.hpp"
 #include "sim/picture_module/png_codec.hpp"
+#include "sim/report/picture_module.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -37,18 +36,9 @@ std::vector<std::uint32_t> to_pixels(const std::vector<std::uint8_t>& channels) 
   return pixels;
 }
 
-const PngCodec& load_codec() {
-  void* const module = dlopen(MAQUETTE_PICTURE_MODULE, RTLD_LAZY | RTLD_LOCAL);
-  void* const function = module == nullptr ? nullptr : dlsym(module, k_png_codec_function);
-  if (function == nullptr) {
-    throw std::runtime_error(std::string("no PNG files without the picture module: ") + dlerror());
-  }
-  return *reinterpret_cast<const PngCodec* (*)()>(function)();
-}
-
-/// The codec of the module, which stays loaded.
 const PngCodec& codec() {
-  static const PngCodec& loaded = load_codec();
+  static const PngCodec& loaded =
+      *reinterpret_cast<const PngCodec* (*)()>(picture_module_function(k_png_codec_function))();
   return loaded;
 }
 

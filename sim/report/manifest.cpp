@@ -1,18 +1,17 @@
 #include "sim/report/manifest.hpp"
 
-#include <OpenImageIO/hash.h>
-#include <OpenImageIO/strutil.h>
 #include <sys/resource.h>
 
 #include <nlohmann/json.hpp>
 
+#include "sim/report/digest.hpp"
 #include "sim/report/run_directory.hpp"
 
 namespace maquette::sim {
 
 InputFile hash_input(const std::string& path) {
   const std::string content = read_file(path);
-  return {path, OIIO::Strutil::lower(OIIO::SHA1::digest(content.data(), content.size()))};
+  return {path, sha1_of(content.data(), content.size())};
 }
 
 void measure_process(Manifest& manifest) {

@@ -1,0 +1,221 @@
+#include "sim/record/record_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+#include <string_view>
+
+#include "sim/description/description_error.hpp"
+#include "sim/picture_module/exr_codec.hpp"
+#include "sim/report/picture_module.hpp"
+
+namespace maquette::sim {
+namespace {
+
+constexpr const char* k_scene = "maquetteScene";
+constexpr const char* k_firmware = "maquetteFirmware";
+constexpr const char* k_zone = "maquetteUsefulZone";  // column, row, width, height
+constexpr const char* k_preprocessing = "maquettePreprocessing";
+constexpr std::array<const char*, 3> k_colours = {"R", "G", "B"};
+constexpr std::array<unsigned, 3> k_colour_shifts = {16, 8, 0};
+constexpr std::uint32_t k_byte = 0xFF;
+
+/// The kinds of rays in a channel each.
+struct RayChannel {
+  const char* name;
+  std::uint16_t firmware::RayCounts::*count;
+};
+constexpr std::array<RayChannel, 4> k_rays = {{{"rays.primary", &firmware::RayCounts::primary},
+                                               {"rays.reflected", &firmware::RayCounts::reflected},
+                                               {"rays.refracted", &firmware::RayCounts::refracted},
+                                               {"rays.shadow", &firmware::RayCounts::shadow}}};
+
+const ExrCodec& codec() {
+  static const ExrCodec& loaded =
+      *reinterpret_cast<const ExrCodec* (*)()>(picture_module_function(k_exr_codec_function))();
+  return loaded;
+}
+
+/// All channels in the order of the file, empty.
+std::vector<ExrChannel> empty_channels() {
+  std::vector<ExrChannel> channels;
+  for (const char* colour : k_colours) {
+    channels.push_back({colour, ExrStorage::code, {}});
+  }
+  for (const RayChannel& ray : k_rays) {
+    channels.push_back({ray.name, ExrStorage::count, {}});
+  }
+  for (const char* operation : firmware::k_operation_names) {
+    channels.push_back({fmt::format("work.{}", operation), ExrStorage::count, {}});
+  }
+  return channels;
+}
+
+template <typename Numbers>
+std::string joined(const Numbers& numbers) {
+  return fmt::format("{}", fmt::join(std::begin(numbers), std::end(numbers), " "));
+}
+
+/// Reads as many whole numbers, separated by spaces, as `numbers` has; false when there are not.
+template <typename Numbers>
+bool split(std::string_view text, Numbers& numbers) {
+  const char* place = text.data();
+  const char* const end = place + text.size();
+  for (auto& number : numbers) {
+    while (place != end && *place == ' ') {
+      ++place;
+    }
+    const auto result = std::from_chars(place, end, number);
+    if (result.ec != std::errc()) {
+      return false;
+    }
+    place = result.ptr;
+  }
+  return place == end;
+}
+
+// A file has at least one pixel: without a useful zone it is a black one of no work.
+void set_data_window(const models::PixelRectangle& zone, ExrImage& image) {
+  const bool is_empty = zone.pixels() == 0;
+  image.data_column = is_empty ? 0 : zone.column0;
+  image.data_row = is_empty ? 0 : zone.row0;
+  image.data_width = is_empty ? 1 : zone.width;
+  image.data_height = is_empty ? 1 : zone.height;
+}
+
+void append(const models::SynthesizedPixel& pixel, std::vector<ExrChannel>& channels) {
+  auto channel = channels.begin();
+  for (const unsigned shift : k_colour_shifts) {
+    (channel++)->values.push_back(pixel.rgb >> shift & k_byte);
+  }
+  for (const RayChannel& ray : k_rays) {
+    (channel++)->values.push_back(pixel.rays.*ray.count);
+  }
+  for (const std::uint32_t count : pixel.work.counts) {
+    (channel++)->values.push_back(count);
+  }
+}
+
+/// False when a count does not fit its place.
+bool extract(const std::vector<ExrChannel>& channels, std::size_t index,
+             models::SynthesizedPixel& pixel) {
+  auto channel = channels.begin();
+  pixel.rgb = 0;
+  for (const unsigned shift : k_colour_shifts) {
+    pixel.rgb |= (channel++)->values[index] << shift;
+  }
+  for (const RayChannel& ray : k_rays) {
+    const std::uint32_t count = (channel++)->values[index];
+    pixel.rays.*ray.count = static_cast<std::uint16_t>(count);
+    if (pixel.rays.*ray.count != count) {
+      return false;
+    }
+  }
+  for (std::uint32_t& count : pixel.work.counts) {
+    count = (channel++)->values[index];
+  }
+  return true;
+}
+
+/// What is wrong with the header, nothing when all is well.
+std::string read_header(const ExrImage& image, RecordedFrame& frame) {
+  frame.key = {
+      image.attributes.at(k_scene), image.attributes.at(k_firmware), {image.width, image.height}};
+  std::array<int, 4> zone{};
+  if (frame.key.scene_sha1.empty() || !split(image.attributes.at(k_zone), zone) ||
+      !split(image.attributes.at(k_preprocessing), frame.preprocessing.counts)) {
+    return "is no record of a frame";
+  }
+  frame.useful_zone = {zone[0], zone[1], zone[2], zone[3]};
+  ExrImage expected;
+  set_data_window(frame.useful_zone, expected);
+  if (expected.data_column != image.data_column || expected.data_row != image.data_row ||
+      expected.data_width != image.data_width || expected.data_height != image.data_height) {
+    return "has pixels elsewhere than in its useful zone";
+  }
+  return {};
+}
+
+std::string read_pixels(const ExrImage& image, RecordedFrame& frame) {
+  frame.pixels.resize(static_cast<std::size_t>(frame.useful_zone.pixels()));
+  for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+    const auto index = static_cast<int>(i);
+    models::SynthesizedPixel& pixel = frame.pixels[i];
+    pixel.column =
+        static_cast<std::uint16_t>(frame.useful_zone.column0 + index % frame.useful_zone.width);
+    pixel.row =
+        static_cast<std::uint16_t>(frame.useful_zone.row0 + index / frame.useful_zone.width);
+    if (!extract(image.channels, i, pixel)) {
+      return "has a count that no pixel can have";
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string encode_record(const RecordedFrame& frame) {
+  ExrImage image;
+  image.width = frame.key.size.width;
+  image.height = frame.key.size.height;
+  set_data_window(frame.useful_zone, image);
+  image.channels = empty_channels();
+  for (const models::SynthesizedPixel& pixel : frame.pixels) {
+    append(pixel, image.channels);
+  }
+  if (frame.pixels.empty()) {
+    append({}, image.channels);
+  }
+  const models::PixelRectangle& zone = frame.useful_zone;
+  image.attributes = {
+      {k_scene, frame.key.scene_sha1},
+      {k_firmware, frame.key.firmware},
+      {k_zone, joined(std::array{zone.column0, zone.row0, zone.width, zone.height})},
+      {k_preprocessing, joined(frame.preprocessing.counts)}};
+  std::string bytes;
+  const std::string error = codec().encode(image, bytes);
+  if (!error.empty()) {
+    throw std::runtime_error(error);
+  }
+  return bytes;
+}
+
+RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
+  ExrImage image;
+  image.channels = empty_channels();
+  image.attributes = {{k_scene, {}}, {k_firmware, {}}, {k_zone, {}}, {k_preprocessing, {}}};
+  RecordedFrame frame;
+  std::string error = codec().decode(bytes, image);
+  if (error.empty()) {
+    error = read_header(image, frame);
+  }
+  if (error.empty()) {
+    error = read_pixels(image, frame);
+  }
+  if (!error.empty()) {
+    throw DescriptionError(name + ": " + error);
+  }
+  return frame;
+}
+
+void check_record(const RecordKey& wanted, const RecordKey& found, const std::string& name) {
+  if (found.size.width != wanted.size.width || found.size.height != wanted.size.height) {
+    throw DescriptionError(fmt::format(
+        "{}: a record of {} x {} pixels; allowed: one of {} x {}, as the frame memory has them",
+        name, found.size.width, found.size.height, wanted.size.width, wanted.size.height));
+  }
+  if (found.firmware != wanted.firmware) {
+    throw DescriptionError(fmt::format("{}: made by firmware {}; allowed: {}, that of this program",
+                                       name, found.firmware, wanted.firmware));
+  }
+  if (found.scene_sha1 != wanted.scene_sha1) {
+    throw DescriptionError(fmt::format(
+        "{}: a record of another scene, with database {}; allowed: {}, that of this one", name,
+        found.scene_sha1, wanted.scene_sha1));
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "firmware/database.hpp"
+#include "firmware/work.hpp"
+#include "models/allotment.hpp"
+#include "models/pixel_source.hpp"
+#include "sim/scene/packed_scene.hpp"
+
+namespace maquette::sim {
+
+/// What the work of a frame depends on: nothing of the machine but the size of its picture.
+struct RecordKey {
+  std::string scene_sha1;  ///< of the database as a board holds it, 40 hexadecimal digits
+  std::string firmware;    ///< version of the firmware, as long
+  PictureSize size{};
+
+  /// One name for all of it, 40 hexadecimal digits.
+  [[nodiscard]] std::string name() const;
+};
+
+/// A frame that was synthesised once, for any machine: the colour, rays and work of every pixel of
+/// the useful zone.
+struct RecordedFrame {
+  RecordKey key;
+  models::PixelRectangle useful_zone;
+  firmware::Work preprocessing{};
+  std::vector<models::SynthesizedPixel> pixels;  ///< row-major in the useful zone
+};
+
+/// The key of a scene as this program's firmware would synthesise it.
+RecordKey record_key_of(const firmware::Database<float>& database);
+
+}  // namespace maquette::sim

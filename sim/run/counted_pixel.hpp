@@ -1,0 +1,31 @@
+#pragma once
+
+#include "firmware/counted.hpp"
+#include "firmware/synthesize.hpp"
+#include "models/allotment.hpp"
+#include "models/pixel_source.hpp"
+
+namespace maquette::sim {
+
+/// A pixel by the native firmware, which counts its work.
+inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Counted>& frame,
+                                              const firmware::WorkArea<firmware::Counted>& area,
+                                              const models::PixelPosition& position) {
+  firmware::reset_counted_work();
+  const firmware::Pixel pixel =
+      firmware::synthesize(frame, area, static_cast<std::int16_t>(position.column),
+                           static_cast<std::int16_t>(position.row));
+  return {static_cast<std::uint16_t>(position.column), static_cast<std::uint16_t>(position.row),
+          pixel.rgb, pixel.rays, firmware::counted_work()};
+}
+
+/// The pixels of a frame that the firmware synthesises.
+inline models::PixelRectangle useful_zone_of(const firmware::Frame<firmware::Counted>& frame) {
+  const firmware::Rectangle& zone = frame.prepared.useful_zone;
+  return zone.is_empty() ? models::PixelRectangle{}
+                         : models::PixelRectangle{zone.first_column, zone.first_row,
+                                                  zone.end_column - zone.first_column,
+                                                  zone.end_row - zone.first_row};
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "firmware/counted.hpp"
+#include "sim/description/scene.hpp"
+#include "sim/record/recorded_frame.hpp"
+
+namespace maquette::sim {
+
+/// Synthesises every pixel of a scene's useful zone by the native firmware, on `threads` threads of
+/// the host (at least 1), whose number changes nothing.
+RecordedFrame record_frame(const Scene& scene, const PictureSize& size, int threads);
+
+}  // namespace maquette::sim
