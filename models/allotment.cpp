@@ -7,95 +7,71 @@ namespace maquette::models {
 
 namespace {
 
-std::int64_t every_nth(std::int64_t total, int first, int n) {
-  return total <= first ? 0 : (total - first - 1) / n + 1;
-}
-
 std::int64_t parts(int whole, int part) {
   return (static_cast<std::int64_t>(whole) + part - 1) / part;
 }
 
-}  // namespace
-
-PixelAllotment::PixelAllotment(Allotment kind, const PixelRectangle& zone, int boards,
-                               int tile_width, int tile_height)
-    : kind_(kind),
-      zone_(zone),
-      boards_(boards),
-      tile_width_(tile_width),
-      tile_height_(tile_height) {
+void check(const AllotmentParameters& parameters, const PixelRectangle& zone, int boards) {
   if (boards < 1) {
     throw std::invalid_argument("pixels are allotted to at least one board");
   }
   if (zone.width < 0 || zone.height < 0) {
     throw std::invalid_argument("the useful zone must not have a negative size");
   }
-  if (kind == Allotment::tiles) {
-    place_tiles();
-  }
-}
-
-void PixelAllotment::place_tiles() {
-  if (tile_width_ < 1 || tile_height_ < 1) {
+  if (parameters.order == Allotment::tiles &&
+      (parameters.tile_width < 1 || parameters.tile_height < 1)) {
     throw std::invalid_argument("tiles must have pixels");
   }
-  tiles_per_row_ = parts(zone_.width, tile_width_);
-  const std::int64_t tiles = tiles_per_row_ * parts(zone_.height, tile_height_);
-  tile_starts_.assign(static_cast<std::size_t>(boards_), {0});
-  for (std::int64_t index = 0; index < tiles; ++index) {
-    auto& starts = tile_starts_[static_cast<std::size_t>(index % boards_)];
-    starts.push_back(starts.back() + tile(index).pixels());
+}
+
+}  // namespace
+
+PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const PixelRectangle& zone,
+                               int boards)
+    : zone_(zone),
+      cut_in_bands_(parameters.order == Allotment::bands),
+      unit_width_(std::max(zone.width, 1)),
+      unit_height_(1) {
+  check(parameters, zone, boards);
+  if (parameters.order == Allotment::interleaved_pixels) {
+    unit_width_ = 1;
+  } else if (parameters.order == Allotment::tiles) {
+    unit_width_ = parameters.tile_width;
+    unit_height_ = parameters.tile_height;
   }
+  units_per_row_ = parts(zone.width, unit_width_);
+  units_ = cut_in_bands_ ? boards : units_per_row_ * parts(zone.height, unit_height_);
 }
 
-PixelRectangle PixelAllotment::tile(std::int64_t index) const {
-  const auto column = static_cast<int>(index % tiles_per_row_) * tile_width_;
-  const auto row = static_cast<int>(index / tiles_per_row_) * tile_height_;
-  return {column, row, std::min(tile_width_, zone_.width - column),
-          std::min(tile_height_, zone_.height - row)};
-}
-
-std::int64_t PixelAllotment::band_start(int board) const {
-  return static_cast<std::int64_t>(zone_.height) * board / boards_;
-}
-
-std::int64_t PixelAllotment::count(int board) const {
-  switch (kind_) {
-    case Allotment::interleaved_pixels:
-      return every_nth(zone_.pixels(), board, boards_);
-    case Allotment::interleaved_lines:
-      return every_nth(zone_.height, board, boards_) * zone_.width;
-    case Allotment::bands:
-      return (band_start(board + 1) - band_start(board)) * zone_.width;
-    case Allotment::tiles:
-      return tile_starts_[static_cast<std::size_t>(board)].back();
+std::int64_t PixelAllotment::first_pixel(std::int64_t unit) const {
+  if (cut_in_bands_) {
+    return zone_.height * unit / units_ * zone_.width;
   }
-  return 0;
+  if (unit == units_) {
+    return pixels();
+  }
+  const std::int64_t row = unit / units_per_row_ * unit_height_;
+  const std::int64_t column = unit % units_per_row_ * unit_width_;
+  const std::int64_t height = std::min<std::int64_t>(unit_height_, zone_.height - row);
+  return row * zone_.width + column * height;
 }
 
 PixelPosition PixelAllotment::in_zone(std::int64_t column, std::int64_t row) const {
   return {zone_.column0 + static_cast<int>(column), zone_.row0 + static_cast<int>(row)};
 }
 
-PixelPosition PixelAllotment::pixel(int board, std::int64_t k) const {
-  switch (kind_) {
-    case Allotment::interleaved_pixels: {
-      const std::int64_t index = board + k * boards_;
-      return in_zone(index % zone_.width, index / zone_.width);
-    }
-    case Allotment::interleaved_lines:
-      return in_zone(k % zone_.width, board + k / zone_.width * boards_);
-    case Allotment::bands:
-      return in_zone(k % zone_.width, band_start(board) + k / zone_.width);
-    case Allotment::tiles:
-      break;
+PixelPosition PixelAllotment::position(std::int64_t index) const {
+  if (unit_height_ == 1) {
+    return in_zone(index % zone_.width, index / zone_.width);
   }
-  const auto& starts = tile_starts_[static_cast<std::size_t>(board)];
-  const auto after = std::upper_bound(starts.begin(), starts.end(), k);
-  const std::int64_t turn = after - starts.begin() - 1;
-  const PixelRectangle place = tile(board + turn * boards_);
-  const std::int64_t within = k - starts[static_cast<std::size_t>(turn)];
-  return in_zone(place.column0 + within % place.width, place.row0 + within / place.width);
+  // A row of units holds whole rows of the zone.
+  const std::int64_t row = index / zone_.width / unit_height_ * unit_height_;
+  const std::int64_t height = std::min<std::int64_t>(unit_height_, zone_.height - row);
+  const std::int64_t in_units_row = index - row * zone_.width;
+  const std::int64_t column = in_units_row / height / unit_width_ * unit_width_;
+  const std::int64_t width = std::min<std::int64_t>(unit_width_, zone_.width - column);
+  const std::int64_t in_unit = in_units_row - column * height;
+  return in_zone(column + in_unit % width, row + in_unit / width);
 }
 
 }  // namespace maquette::models

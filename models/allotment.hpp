@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "models/machine_parameters.hpp"
 
@@ -22,37 +21,41 @@ struct PixelPosition {
   int row;
 };
 
-/// How `boards` boards share the pixels of a zone, and in which order each takes its own:
-/// interleaved_pixels: every boards-th pixel of the row-major order;
-/// interleaved_lines: every boards-th row;
-/// bands: boards consecutive groups of rows, as equal as whole rows allow;
-/// tiles: every boards-th tile of the row-major order of tiles (those at the right and the bottom
-/// are cut by the zone), each tile row by row.
+/// How the pixels of a zone are cut into units, of which a board takes one after the other:
+/// interleaved_pixels: every pixel, in row-major order;
+/// interleaved_lines: every row;
+/// bands: as many consecutive groups of rows as there are boards, as equal as whole rows allow;
+/// tiles: in row-major order (those at the right and the bottom are cut by the zone), each row by
+/// row.
+/// Every pixel has an index, in the order of the units and within each unit; it is what boards ask
+/// a pixel source for.
 class PixelAllotment {
  public:
   /// Throws std::invalid_argument for no boards, a negative zone or empty tiles.
-  PixelAllotment(Allotment kind, const PixelRectangle& zone, int boards, int tile_width,
-                 int tile_height);
+  PixelAllotment(const AllotmentParameters& parameters, const PixelRectangle& zone, int boards);
 
-  /// The number of pixels of a board.
-  [[nodiscard]] std::int64_t count(int board) const;
+  /// The number of units; some bands may be empty.
+  [[nodiscard]] std::int64_t units() const { return units_; }
 
-  /// The k-th pixel of a board, 0 <= k < count(board).
-  [[nodiscard]] PixelPosition pixel(int board, std::int64_t k) const;
+  /// The number of pixels, which are those of the zone.
+  [[nodiscard]] std::int64_t pixels() const { return zone_.pixels(); }
+
+  /// Index of the first pixel of a unit, 0 <= unit <= units(); its pixels end where the next one's
+  /// begin.
+  [[nodiscard]] std::int64_t first_pixel(std::int64_t unit) const;
+
+  /// Where the pixel with an index stands, 0 <= index < pixels().
+  [[nodiscard]] PixelPosition position(std::int64_t index) const;
 
  private:
   [[nodiscard]] PixelPosition in_zone(std::int64_t column, std::int64_t row) const;
-  [[nodiscard]] std::int64_t band_start(int board) const;
-  [[nodiscard]] PixelRectangle tile(std::int64_t index) const;
-  void place_tiles();
 
-  Allotment kind_;
   PixelRectangle zone_;
-  int boards_;
-  int tile_width_;
-  int tile_height_;
-  std::int64_t tiles_per_row_ = 0;
-  std::vector<std::vector<std::int64_t>> tile_starts_;  // by board: first k of each tile; the count
+  bool cut_in_bands_;
+  int unit_width_;  // of units other than bands, where the zone does not cut them
+  int unit_height_;
+  std::int64_t units_per_row_;
+  std::int64_t units_;
 };
 
 }  // namespace maquette::models

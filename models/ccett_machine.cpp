@@ -28,9 +28,6 @@ std::uint64_t ram_block(const Kvm02Parameters& board) {
 }
 
 void check(const MachineParameters& parameters, const FrameSetup& setup) {
-  if (parameters.boards.empty()) {
-    throw std::invalid_argument("a machine must have at least one board");
-  }
   const PixelRectangle& zone = setup.useful_zone;
   if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
       zone.column0 + zone.width > parameters.frame_memory.width ||
@@ -53,6 +50,7 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
                            PixelSource& source, const FrameSetup& setup)
     : sc_module(with_unique_names(name)),
       zone_(setup.useful_zone),
+      allotment_(parameters.allotment, zone_, static_cast<int>(parameters.boards.size())),
       start_("start"),
       timing_(parameters.video, parameters.frame_memory.width, parameters.frame_memory.height),
       bus_("bus", parameters.bus),
@@ -68,9 +66,12 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
   std::vector<BoardImage> images;
   for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
     const std::uint64_t ram_base = block * (index + 1);
-    boards_.push_back(std::make_unique<Kvm02>(
-        ("board" + std::to_string(index)).c_str(), static_cast<int>(index), parameters.board,
-        parameters.boards[index], bus_, ram_base, frame, source, start_));
+    boards_.push_back(
+        std::make_unique<Kvm02>(("board" + std::to_string(index)).c_str(), parameters.board,
+                                parameters.boards[index], bus_, ram_base, frame,
+                                BoardShare{allotment_, static_cast<std::int64_t>(index),
+                                           static_cast<std::int64_t>(parameters.boards.size())},
+                                source, start_));
     images.push_back({boards_.back()->master(), ram_base,
                       setup.images.empty() ? std::vector<unsigned char>{} : setup.images[index]});
   }

@@ -46,9 +46,10 @@ struct MachineStatistics {
 /// grow beyond the KVM02's 24 bits (the bus has up to 32).
 class CcettMachine : public sc_core::sc_module {
  public:
-  /// `source` is kept by reference and has one pixel sequence per board. From here on a duplicate
-  /// module name is an error. Throws std::invalid_argument for parameters that make no machine, or
-  /// images that do not fit the boards.
+  /// `source` is kept by reference; it has the pixels of the PixelAllotment that parameters and
+  /// useful zone make. From here on a duplicate module name is an error. Throws
+  /// std::invalid_argument for parameters that make no machine, or images that do not fit the
+  /// boards.
   CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
                PixelSource& source, const FrameSetup& setup);
 
@@ -72,6 +73,7 @@ class CcettMachine : public sc_core::sc_module {
 
  private:
   PixelRectangle zone_;
+  PixelAllotment allotment_;
   sc_core::sc_event start_;  // of the boards, by the host
   VideoTiming timing_;
   VersaBus bus_;

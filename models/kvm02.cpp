@@ -30,18 +30,19 @@ std::size_t checked_ram_bytes(const Kvm02Parameters& parameters) {
 
 }  // namespace
 
-Kvm02::Kvm02(const sc_core::sc_module_name& name, int index, const Kvm02Parameters& parameters,
+Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& parameters,
              const BusMasterPlace& place, VersaBus& bus, std::uint64_t ram_base,
-             const FrameWindow& frame, PixelSource& source, const sc_core::sc_event& start)
+             const FrameWindow& frame, const BoardShare& share, PixelSource& source,
+             const sc_core::sc_event& start)
     : sc_module(name),
       bus_master("bus_master"),
       ram_port("ram_port"),
-      index_(index),
       parameters_(parameters),
       cost_(parameters),
       word_gap_(access_law(parameters).clock.times(parameters.word_gap_clocks)),
       bus_(bus),
       frame_(frame),
+      share_(share),
       source_(source),
       start_(start),
       master_(bus.attach_master(bus_master, {this->name(), place, access_law(parameters)})),
@@ -67,10 +68,17 @@ void Kvm02::run() {
   started_at_ = accounted_ = kernel_now();
   statistics_.preprocessing = cost_.duration(source_.preprocessing());
   computing_ = statistics_.preprocessing;
-  while (const SynthesizedPixel* pixel = source_.next(index_)) {
-    take(*pixel);
+  for (std::int64_t unit = share_.first; unit < share_.allotment.units(); unit += share_.step) {
+    take_unit(unit);
   }
   finish();
+}
+
+void Kvm02::take_unit(std::int64_t unit) {
+  const std::int64_t end = share_.allotment.first_pixel(unit + 1);
+  for (std::int64_t index = share_.allotment.first_pixel(unit); index < end; ++index) {
+    take(source_.pixel(index));
+  }
 }
 
 void Kvm02::take(const SynthesizedPixel& pixel) {

@@ -8,6 +8,7 @@
 #include <tlm>
 #include <vector>
 
+#include "models/allotment.hpp"
 #include "models/bus_transaction.hpp"
 #include "models/instant.hpp"
 #include "models/machine_parameters.hpp"
@@ -22,6 +23,13 @@ namespace maquette::models {
 struct FrameWindow {
   std::uint64_t base;
   int width;
+};
+
+/// Which units of the allotment a board takes: first, first + step, first + 2 step, ...
+struct BoardShare {
+  const PixelAllotment& allotment;
+  std::int64_t first;
+  std::int64_t step;
 };
 
 /// What a board did with its time. The four states sum to the time from the start of the frame to
@@ -47,12 +55,13 @@ struct BoardStatistics {
 /// Assumption: nobody uses the second port while the board computes, so the two do not conflict.
 class Kvm02 : public sc_core::sc_module {
  public:
-  /// Attaches the board to `bus` as a master at `place` and as a slave at `ram_base`. The board
-  /// takes pixels of `source` as number `index` once `start` is notified; all are kept by
-  /// reference.
-  Kvm02(const sc_core::sc_module_name& name, int index, const Kvm02Parameters& parameters,
+  /// Attaches the board to `bus` as a master at `place` and as a slave at `ram_base`. Once `start`
+  /// is notified the board takes its `share` of the pixels of `source`. Bus, source, start and the
+  /// allotment are kept by reference.
+  Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& parameters,
         const BusMasterPlace& place, VersaBus& bus, std::uint64_t ram_base,
-        const FrameWindow& frame, PixelSource& source, const sc_core::sc_event& start);
+        const FrameWindow& frame, const BoardShare& share, PixelSource& source,
+        const sc_core::sc_event& start);
 
   tlm_utils::simple_initiator_socket<Kvm02> bus_master;
   tlm_utils::simple_target_socket<Kvm02> ram_port;
@@ -69,6 +78,7 @@ class Kvm02 : public sc_core::sc_module {
 
  private:
   void run();
+  void take_unit(std::int64_t unit);
   void take(const SynthesizedPixel& pixel);
   void append(const SynthesizedPixel& pixel);
   void write_pixels();
@@ -77,12 +87,12 @@ class Kvm02 : public sc_core::sc_module {
   void access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned debug_ram(tlm::tlm_generic_payload& payload);
 
-  int index_;
   Kvm02Parameters parameters_;
   WorkCost cost_;
   Duration word_gap_;
   VersaBus& bus_;
   FrameWindow frame_;
+  BoardShare share_;
   PixelSource& source_;
   const sc_core::sc_event& start_;
   int master_;

@@ -17,7 +17,7 @@ enum class ReleasePolicy { each_access, block };
 /// When a board writes its pixels: each as soon as it is known, or a line of its pixels together.
 enum class PixelWrite { pixel, line };
 
-/// How the pixels of the useful zone are given to the boards.
+/// The units in which the boards take the pixels of the useful zone, and their order.
 enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles };
 
 /// The VERSAbus backplane with its arbiter.
@@ -87,6 +87,13 @@ struct HostParameters {
   bool loads_code = true;   ///< besides the database
 };
 
+/// How the pixels of the useful zone are given to the boards.
+struct AllotmentParameters {
+  Allotment order = Allotment::interleaved_pixels;
+  int tile_width = 32;
+  int tile_height = 32;
+};
+
 /// A whole machine as the models need it.
 struct MachineParameters {
   std::vector<BusMasterPlace> boards;  ///< one per board, in board order
@@ -95,9 +102,7 @@ struct MachineParameters {
   FrameMemoryParameters frame_memory;
   VideoParameters video;
   HostParameters host;
-  Allotment allotment = Allotment::interleaved_pixels;
-  int tile_width = 32;
-  int tile_height = 32;
+  AllotmentParameters allotment;
 };
 
 }  // namespace maquette::models

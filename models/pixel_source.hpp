@@ -15,8 +15,9 @@ struct SynthesizedPixel {
   firmware::Work work;
 };
 
-/// The seam between a board and the firmware: where a board's pixels come from (native firmware, a
-/// recorded frame, an instruction-level processor). Pixels do not depend on simulated time.
+/// The seam between a board and the firmware: where pixels come from (native firmware, a recorded
+/// frame, an instruction-level processor). Pixels do not depend on simulated time, nor on the board
+/// that takes them.
 class PixelSource {
  public:
   PixelSource() = default;
@@ -26,9 +27,9 @@ class PixelSource {
   PixelSource& operator=(PixelSource&&) = delete;
   virtual ~PixelSource() = default;
 
-  /// The next pixel of `board` in the order of its allotment; null after its last one. The pixel
-  /// stays valid until the board's next call.
-  virtual const SynthesizedPixel* next(int board) = 0;
+  /// The pixel with an index of the machine's PixelAllotment. Each is asked for once, by whichever
+  /// board takes its unit.
+  virtual SynthesizedPixel pixel(std::int64_t index) = 0;
 
   /// What each board spends on preprocessing before its first pixel.
   [[nodiscard]] virtual firmware::Work preprocessing() const = 0;

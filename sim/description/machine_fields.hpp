@@ -184,18 +184,18 @@ void declare_host(Visitor& visitor, models::HostParameters& host) {
 }
 
 template <class Visitor>
-void declare_allotment(Visitor& visitor, models::MachineParameters& parameters) {
+void declare_allotment(Visitor& visitor, models::AllotmentParameters& allotment) {
   constexpr WholeType k_side{WholeDimension::pixels, {1, 65535}};
   visitor.field(
       {"order", "how pixels are given to the boards", "choice of the firmware [I]"},
-      parameters.allotment,
+      allotment.order,
       ChoiceType<models::Allotment>{{{"interleaved_pixels", models::Allotment::interleaved_pixels},
                                      {"interleaved_lines", models::Allotment::interleaved_lines},
                                      {"bands", models::Allotment::bands},
                                      {"tiles", models::Allotment::tiles}}});
-  visitor.field({"tile_width", "of tiles", "choice of the firmware [I]"}, parameters.tile_width,
+  visitor.field({"tile_width", "of tiles", "choice of the firmware [I]"}, allotment.tile_width,
                 k_side);
-  visitor.field({"tile_height", "of tiles", "choice of the firmware [I]"}, parameters.tile_height,
+  visitor.field({"tile_height", "of tiles", "choice of the firmware [I]"}, allotment.tile_height,
                 k_side);
 }
 
@@ -232,7 +232,7 @@ void declare_machine(Visitor& visitor, Machine& machine) {
   visitor.group({"host", "the EXORmacs that loads the boards"},
                 [&] { declare_host(visitor, parameters.host); });
   visitor.group({"allotment", "of pixels to boards"},
-                [&] { declare_allotment(visitor, parameters); });
+                [&] { declare_allotment(visitor, parameters.allotment); });
 }
 
 }  // namespace maquette::sim

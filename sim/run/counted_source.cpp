@@ -11,11 +11,11 @@ namespace maquette::sim {
 
 namespace {
 
-/// Pixels of a board that one thread synthesises in a row.
-constexpr std::size_t k_piece_pixels = 64;
+/// Pixels that one thread synthesises in a row.
+constexpr std::int64_t k_block_pixels = 64;
 
-/// Pieces per board and thread that are made ready at once by several threads.
-constexpr std::size_t k_pieces_ahead = 8;
+/// Blocks per thread that several threads make ready at once.
+constexpr std::size_t k_blocks_ahead = 8;
 
 models::PixelRectangle rectangle_of(const firmware::Rectangle& r) {
   if (r.is_empty()) {
@@ -33,12 +33,10 @@ CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const 
   scene_ = std::make_unique<PreparedScene<firmware::Counted>>(scene);
   preprocessing_ = firmware::counted_work();
   const models::MachineParameters& parameters = machine.parameters;
-  const int boards = static_cast<int>(parameters.boards.size());
-  allotment_ = std::make_unique<models::PixelAllotment>(
-      parameters.allotment, useful_zone(), boards, parameters.tile_width, parameters.tile_height);
-  queues_.resize(parameters.boards.size());
-  for (int board = 0; board < boards; ++board) {
-    queues_[static_cast<std::size_t>(board)].count = allotment_->count(board);
+  allotment_ = std::make_unique<models::PixelAllotment>(parameters.allotment, useful_zone(),
+                                                        static_cast<int>(parameters.boards.size()));
+  for (std::int64_t first = 0; first < allotment_->pixels(); first += k_block_pixels) {
+    blocks_.push_back({{}, std::min(k_block_pixels, allotment_->pixels() - first)});
   }
 }
 
@@ -51,87 +49,69 @@ double CountedSource::fraction_taken() const {
   return pixels == 0 ? 1 : static_cast<double>(taken_) / static_cast<double>(pixels);
 }
 
-const models::SynthesizedPixel* CountedSource::next(int board) {
-  Queue& queue = queues_[static_cast<std::size_t>(board)];
-  if (queue.next == queue.pixels.size()) {
-    if (queue.left() == 0) {
-      return nullptr;
-    }
-    if (threads_ == 1) {
-      refill(board);
-    } else {
-      refill_all();
-    }
+models::SynthesizedPixel CountedSource::pixel(std::int64_t index) {
+  const auto number = static_cast<std::size_t>(index / k_block_pixels);
+  Block& block = blocks_[number];
+  if (block.left == 0) {
+    throw std::logic_error("a pixel was taken twice");
   }
+  if (block.waits()) {
+    synthesise_from(number);
+  }
+  const models::SynthesizedPixel pixel =
+      block.pixels[static_cast<std::size_t>(index % k_block_pixels)];
   ++taken_;
-  return &queue.pixels[queue.next++];
+  if (--block.left == 0) {
+    block.pixels = {};
+  }
+  return pixel;
 }
 
-void CountedSource::refill(int board) {
-  Queue& queue = queues_[static_cast<std::size_t>(board)];
-  const std::int64_t left = queue.left();
-  queue.first += static_cast<std::int64_t>(queue.pixels.size());
-  queue.next = 0;
-  queue.pixels.resize(std::min(k_piece_pixels, static_cast<std::size_t>(left)));
-  synthesise(board, 0, queue.pixels.size(), areas_.local());
-}
-
-/// Makes pixels ready for every board that has used up its own; the threads share them in pieces.
-void CountedSource::refill_all() {
-  struct Piece {
-    int board;
-    std::size_t begin;
-    std::size_t end;
-  };
-  std::vector<Piece> pieces;
-  const std::size_t ahead = k_piece_pixels * k_pieces_ahead * static_cast<std::size_t>(threads_);
-  for (std::size_t board = 0; board < queues_.size(); ++board) {
-    Queue& queue = queues_[board];
-    const auto taken = static_cast<std::ptrdiff_t>(queue.next);
-    queue.pixels.erase(queue.pixels.begin(), queue.pixels.begin() + taken);
-    queue.first += taken;
-    queue.next = 0;
-    const std::size_t ready = queue.pixels.size();
-    const auto left = static_cast<std::size_t>(queue.left());
-    queue.pixels.resize(ready + std::min(left, ahead - std::min(ahead, ready)));
-    for (std::size_t start = ready; start < queue.pixels.size(); start += k_piece_pixels) {
-      pieces.push_back(
-          {static_cast<int>(board), start, std::min(start + k_piece_pixels, queue.pixels.size())});
+/// Makes a block ready; several threads share it and those after it that wait, one by one.
+void CountedSource::synthesise_from(std::size_t first) {
+  if (threads_ == 1) {
+    synthesise(first, areas_.local());
+    return;
+  }
+  std::vector<std::size_t> waiting;
+  const std::size_t ahead = k_blocks_ahead * static_cast<std::size_t>(threads_);
+  for (std::size_t block = first; block < blocks_.size() && waiting.size() < ahead; ++block) {
+    if (blocks_[block].waits()) {
+      waiting.push_back(block);
     }
   }
   // The library orders these threads as well, but out of sight of the thread sanitizer.
   std::atomic<std::size_t> done{0};
   done.store(0, std::memory_order_release);
   arena_.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pieces.size(), 1),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, waiting.size(), 1),
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         static_cast<void>(done.load(std::memory_order_acquire));
                         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                          synthesise(pieces[i].board, pieces[i].begin, pieces[i].end,
-                                     areas_.local());
+                          synthesise(waiting[i], areas_.local());
                         }
                         done.fetch_add(range.size(), std::memory_order_release);
                       });
   });
-  if (done.load(std::memory_order_acquire) != pieces.size()) {
-    throw std::logic_error("a piece of the picture was not synthesised");
+  if (done.load(std::memory_order_acquire) != waiting.size()) {
+    throw std::logic_error("a block of pixels was not synthesised");
   }
 }
 
-/// Fills places begin..end of a board's queue.
-void CountedSource::synthesise(int board, std::size_t begin, std::size_t end, Area& area) {
-  Queue& queue = queues_[static_cast<std::size_t>(board)];
+void CountedSource::synthesise(std::size_t block, Area& area) {
   const firmware::WorkArea<firmware::Counted> view = area.view();
-  for (std::size_t i = begin; i < end; ++i) {
-    const models::PixelPosition position =
-        allotment_->pixel(board, queue.first + static_cast<std::int64_t>(i));
+  std::vector<models::SynthesizedPixel>& pixels = blocks_[block].pixels;
+  pixels.resize(static_cast<std::size_t>(blocks_[block].left));
+  std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
+  for (models::SynthesizedPixel& synthesised : pixels) {
+    const models::PixelPosition position = allotment_->position(index++);
     firmware::reset_counted_work();
     const firmware::Pixel pixel =
         firmware::synthesize(frame(), view, static_cast<std::int16_t>(position.column),
                              static_cast<std::int16_t>(position.row));
-    queue.pixels[i] = {static_cast<std::uint16_t>(position.column),
-                       static_cast<std::uint16_t>(position.row), pixel.rgb, pixel.rays,
-                       firmware::counted_work()};
+    synthesised = {static_cast<std::uint16_t>(position.column),
+                   static_cast<std::uint16_t>(position.row), pixel.rgb, pixel.rays,
+                   firmware::counted_work()};
   }
 }
 

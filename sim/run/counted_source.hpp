@@ -3,6 +3,7 @@
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -21,7 +22,7 @@ class CountedSource : public models::PixelSource {
   /// `threads` is at least 1.
   CountedSource(const PackedScene<firmware::Counted>& scene, const Machine& machine, int threads);
 
-  const models::SynthesizedPixel* next(int board) override;
+  models::SynthesizedPixel pixel(std::int64_t index) override;
   [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
 
   [[nodiscard]] models::PixelRectangle useful_zone() const;
@@ -33,26 +34,21 @@ class CountedSource : public models::PixelSource {
  private:
   using Area = SynthesisArea<firmware::Counted>;
 
-  /// Pixels of a board that are ready, and where it stands in its allotment.
-  struct Queue {
+  /// Pixels of consecutive indices: not yet synthesised, ready, or all taken and freed.
+  struct Block {
     std::vector<models::SynthesizedPixel> pixels;
-    std::size_t next = 0;    ///< in `pixels`
-    std::int64_t first = 0;  ///< number of the first of `pixels` in the board's allotment
-    std::int64_t count = 0;  ///< of the whole allotment
+    std::int64_t left;  ///< not yet taken
 
-    [[nodiscard]] std::int64_t left() const {
-      return count - first - static_cast<std::int64_t>(pixels.size());
-    }
+    [[nodiscard]] bool waits() const { return pixels.empty() && left > 0; }
   };
 
-  void refill(int board);
-  void refill_all();
-  void synthesise(int board, std::size_t begin, std::size_t end, Area& area);
+  void synthesise_from(std::size_t first);
+  void synthesise(std::size_t block, Area& area);
 
   firmware::Work preprocessing_{};
   std::unique_ptr<PreparedScene<firmware::Counted>> scene_;
   std::unique_ptr<models::PixelAllotment> allotment_;
-  std::vector<Queue> queues_;
+  std::vector<Block> blocks_;
   std::int64_t taken_ = 0;
   int threads_;
   tbb::task_arena arena_;

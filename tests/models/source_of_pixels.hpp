@@ -16,30 +16,21 @@ class AllottedPixels : public PixelSource {
   using Glue = std::function<std::uint32_t(PixelPosition)>;
 
   /// Each pixel costs `glue(position)` branches.
-  AllottedPixels(PixelAllotment allotment, int boards, Colour colour, Glue glue,
+  AllottedPixels(const PixelAllotment& allotment, Colour colour, Glue glue,
                  std::uint32_t preprocessing_branches)
-      : allotment_(std::move(allotment)),
-        colour_(std::move(colour)),
-        glue_(std::move(glue)),
-        taken_(static_cast<std::size_t>(boards)),
-        pixels_(static_cast<std::size_t>(boards)) {
+      : allotment_(allotment), colour_(std::move(colour)), glue_(std::move(glue)) {
     preprocessing_[firmware::Operation::branch] = preprocessing_branches;
   }
 
-  const SynthesizedPixel* next(int board) override {
-    const auto index = static_cast<std::size_t>(board);
-    if (taken_[index] == allotment_.count(board)) {
-      return nullptr;
-    }
-    const PixelPosition position = allotment_.pixel(board, taken_[index]++);
-    SynthesizedPixel& pixel = pixels_[index];
-    pixel = {static_cast<std::uint16_t>(position.column),
-             static_cast<std::uint16_t>(position.row),
-             colour_(position),
-             {1, 2, 3, 4},
-             {}};
+  SynthesizedPixel pixel(std::int64_t index) override {
+    const PixelPosition position = allotment_.position(index);
+    SynthesizedPixel pixel{static_cast<std::uint16_t>(position.column),
+                           static_cast<std::uint16_t>(position.row),
+                           colour_(position),
+                           {1, 2, 3, 4},
+                           {}};
     pixel.work[firmware::Operation::branch] = glue_(position);
-    return &pixel;
+    return pixel;
   }
 
   [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
@@ -48,8 +39,6 @@ class AllottedPixels : public PixelSource {
   PixelAllotment allotment_;
   Colour colour_;
   Glue glue_;
-  std::vector<std::int64_t> taken_;
-  std::vector<SynthesizedPixel> pixels_;
   firmware::Work preprocessing_{};
 };
 

@@ -37,9 +37,8 @@ struct Run {
   Run(const std::string& name, const MachineParameters& parameters, const FrameSetup& setup,
       AllottedPixels::Glue glue = uneven_work, std::uint32_t preprocessing = 5000)
       : source(PixelAllotment(parameters.allotment, setup.useful_zone,
-                              static_cast<int>(parameters.boards.size()), parameters.tile_width,
-                              parameters.tile_height),
-               static_cast<int>(parameters.boards.size()), colour, std::move(glue), preprocessing),
+                              static_cast<int>(parameters.boards.size())),
+               colour, std::move(glue), preprocessing),
         machine(name.c_str(), parameters, source, setup) {}
 
   AllottedPixels source;
@@ -117,8 +116,8 @@ TEST_CASE("any machine: states sum to the frame time, each useful pixel is writt
   std::vector<PixelRectangle> zones;
   for (int one = 0; one < 60; ++one) {
     MachineParameters parameters = machine(1 + below(generator, 9));
-    parameters.allotment = static_cast<Allotment>(below(generator, 4));
-    parameters.tile_width = parameters.tile_height = 5;
+    parameters.allotment.order = static_cast<Allotment>(below(generator, 4));
+    parameters.allotment.tile_width = parameters.allotment.tile_height = 5;
     parameters.board.release = static_cast<ReleasePolicy>(below(generator, 2));
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     parameters.board.refresh_period = Duration{15'000'000};
@@ -201,6 +200,38 @@ TEST_CASE("a line of pixels is one burst per row, with the same picture") {
         pixel.machine.frame_memory().picture().pixels);
 }
 
+TEST_CASE("a fixed share is every n-th unit, in order") {
+  constexpr int k_boards = 3;
+  std::vector<std::unique_ptr<Run>> runs;
+  std::vector<std::vector<std::vector<std::uint64_t>>> written(4);  // by order and board
+  for (int order = 0; order < 4; ++order) {
+    MachineParameters parameters = machine(k_boards);
+    parameters.allotment = {static_cast<Allotment>(order), 5, 4};
+    parameters.bus.data_width_bits = 32;
+    runs.push_back(
+        std::make_unique<Run>("share" + std::to_string(order), parameters, zone({7, 3, 23, 19})));
+    auto& boards = written[static_cast<std::size_t>(order)];
+    boards.resize(k_boards);
+    runs.back()->machine.observe_bus([&boards](const BusAccess& access) {
+      boards[static_cast<std::size_t>(access.master)].push_back((access.address - 0x800000) / 4);
+    });
+  }
+  sc_core::sc_start();
+  for (int order = 0; order < 4; ++order) {
+    const PixelAllotment cut({static_cast<Allotment>(order), 5, 4}, {7, 3, 23, 19}, k_boards);
+    for (int board = 0; board < k_boards; ++board) {
+      std::vector<std::uint64_t> expected;
+      for (std::int64_t unit = board; unit < cut.units(); unit += k_boards) {
+        for (auto index = cut.first_pixel(unit); index < cut.first_pixel(unit + 1); ++index) {
+          const PixelPosition position = cut.position(index);
+          expected.push_back(static_cast<std::uint64_t>(position.row * 64 + position.column));
+        }
+      }
+      CHECK(written[static_cast<std::size_t>(order)][static_cast<std::size_t>(board)] == expected);
+    }
+  }
+}
+
 TEST_CASE("a run that is interrupted still accounts for all of its time") {
   Run run("cut", machine(4), zone({0, 0, 64, 48}));
   for (int slice = 0; slice < 50; ++slice) {
@@ -232,7 +263,7 @@ TEST_CASE("two machines of the same name are an error") {
 }
 
 TEST_CASE("what makes no machine is refused") {
-  AllottedPixels source(PixelAllotment(Allotment::bands, {}, 1, 1, 1), 1, colour, uneven_work, 0);
+  AllottedPixels source(PixelAllotment({}, {}, 1), colour, uneven_work, 0);
   CHECK_THROWS_AS(CcettMachine("none", machine(0), source, zone({0, 0, 1, 1})),
                   std::invalid_argument);
   CHECK_THROWS_AS(CcettMachine("outside", machine(1), source, zone({60, 0, 5, 1})),
