@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "models/arbitration.hpp"
-
 namespace maquette::models {
 
 BusMasterStatistics total(const BusStatistics& statistics) {
@@ -19,7 +17,9 @@ BusMasterStatistics total(const BusStatistics& statistics) {
     if (master.longest_wait > sum.longest_wait) {
       sum.longest_wait = master.longest_wait;
       sum.longest_wait_request = master.longest_wait_request;
+      sum.longest_wait_behind = master.longest_wait_behind;
     }
+    sum.waits.add(master.waits);
   }
   return sum;
 }

@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/arbitration.hpp"
 #include "models/instant.hpp"
+#include "models/wait_histogram.hpp"
 
 namespace maquette::models {
 
@@ -16,17 +18,22 @@ struct BusMasterStatistics {
   Duration held{};             ///< gaps between accesses during which the bus was kept
   Duration arbitration{};      ///< from the bus free and requested to the grants
   Duration waited{};           ///< requests to grants, arbitration included
-  Duration longest_wait{};
+  Duration longest_wait{};     ///< the earliest of the longest
   Instant longest_wait_request{};
+  int longest_wait_behind = k_nobody;  ///< the master that had the bus for most of that wait
+  WaitHistogram waits;                 ///< of all accesses
 };
 
 /// What happened on a bus, in integer ticks.
 struct BusStatistics {
   std::vector<BusMasterStatistics> masters;
 
-  /// waited_for[a][b]: how long a's requests stood while the bus was with b; for b = a, its own
-  /// arbitration. A row sums to that master's `waited`.
+  /// waited_for[a][b]: how long a's requests stood while the bus was with b, until their grants;
+  /// for b = a, its own arbitration. A row sums to that master's `waited`.
   std::vector<std::vector<Duration>> waited_for;
+
+  /// queue_times[n]: how long exactly n + 1 requests stood, each from its instant to its grant.
+  std::vector<Duration> queue_times;
 };
 
 /// All masters together; the longest wait is that of the earliest master that had it.

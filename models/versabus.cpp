@@ -72,11 +72,7 @@ int VersaBus::attach_master(tlm::tlm_base_initiator_socket<>& socket, const BusM
   added.access.set_streaming_width(word_bytes_);
   ++computing_;
   ++unpromised_;
-  statistics_.masters.emplace_back();
-  statistics_.waited_for.emplace_back();
-  for (auto& row : statistics_.waited_for) {
-    row.resize(masters_.size());
-  }
+  account_.add_master();
   return static_cast<int>(masters_.size()) - 1;
 }
 
@@ -132,8 +128,7 @@ void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
   master.access.set_command(burst.get_command());
   enter(id, request);
   if (request < free_at_) {  // into an access that was decided before the request was known
-    statistics_.waited_for[static_cast<std::size_t>(id)][static_cast<std::size_t>(previous_)] +=
-        free_at_ - request;
+    account_.found_occupied(id, previous_, free_at_ - request);
   }
 }
 
@@ -214,9 +209,10 @@ void VersaBus::decide(Instant instant) {
     fail("bus time runs backwards");
   }
   last_decision_ = instant;
+  account_.decide(instant, requests_.up_to(instant));
   if (holder_ != k_nobody) {
-    statistics_.masters[static_cast<std::size_t>(holder_)].held += instant - free_at_;
-    occupy(holder_, free_at_, instant);
+    account_.keep(holder_, instant - free_at_);
+    account_.occupy(holder_, free_at_, instant, requests_.up_to(instant));
     if (earliest_clear_request() > instant) {
       transfer(holder_, instant, instant);
       return;
@@ -248,11 +244,25 @@ void VersaBus::transfer(int id, Instant decision, Instant grant) {
     fail("an access of master " + master.description.name + " runs backwards");
   }
   requests_.remove(id);
-  occupy(id, decision, access.end);
-  record(id, access, decision);
+  account_.occupy(id, decision, access.end, requests_.up_to(access.end));
+  account_.record(access, decision);
+  answer(*master.transaction, access);
+  if (observer_) {
+    observer_(access);
+  }
   free_at_ = access.end;
   previous_ = id;
   finish_access(id, address, access.end, result.status);
+}
+
+void VersaBus::answer(BusTransaction& transaction, const BusAccess& access) {
+  const Duration wait = access.grant - access.request;
+  transaction.waited += wait;
+  transaction.transferred += access.end - access.grant;
+  if (wait > transaction.longest_wait) {
+    transaction.longest_wait = wait;
+    transaction.longest_wait_request = access.request;
+  }
 }
 
 VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t address,
@@ -287,7 +297,7 @@ void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
   ++transaction.accesses;
   holder_ = k_nobody;
   if (status != tlm::TLM_OK_RESPONSE) {
-    ++statistics_.masters[static_cast<std::size_t>(id)].errors;
+    account_.fail(id);
     transaction.failed_address = address;
     complete(id, end, status);
   } else if (transaction.accesses == master.accesses) {
@@ -307,45 +317,6 @@ void VersaBus::complete(int id, Instant end, tlm::tlm_response_status status) {
   ++computing_;
   unpromised_ += master.promised ? 0 : 1;
   master.completed.notify(to_sc_time(end - kernel_now()));
-}
-
-// ---- what is counted ----
-
-void VersaBus::occupy(int id, Instant from, Instant to) {
-  for (const Contender& other : requests_.up_to(to)) {
-    if (other.master != id) {
-      statistics_
-          .waited_for[static_cast<std::size_t>(other.master)][static_cast<std::size_t>(id)] +=
-          to - std::max(other.request, from);
-    }
-  }
-}
-
-void VersaBus::record(int id, const BusAccess& access, Instant decision) {
-  const auto index = static_cast<std::size_t>(id);
-  const Duration wait = access.grant - access.request;
-  const Duration busy = access.end - access.grant;
-  BusTransaction& transaction = *at(id).transaction;
-  transaction.waited += wait;
-  transaction.transferred += busy;
-  if (wait > transaction.longest_wait) {
-    transaction.longest_wait = wait;
-    transaction.longest_wait_request = access.request;
-  }
-  BusMasterStatistics& master = statistics_.masters[index];
-  ++master.transfers;
-  master.delayed += decision > access.request ? 1 : 0;
-  master.busy += busy;
-  master.arbitration += access.grant - decision;
-  master.waited += wait;
-  if (wait > master.longest_wait) {
-    master.longest_wait = wait;
-    master.longest_wait_request = access.request;
-  }
-  statistics_.waited_for[index][index] += access.grant - decision;
-  if (observer_) {
-    observer_(access);
-  }
 }
 
 }  // namespace maquette::models

@@ -14,7 +14,7 @@
 #include "models/access_law.hpp"
 #include "models/address_map.hpp"
 #include "models/arbitration.hpp"
-#include "models/bus_statistics.hpp"
+#include "models/bus_account.hpp"
 #include "models/bus_transaction.hpp"
 #include "models/machine_parameters.hpp"
 #include "models/request_queue.hpp"
@@ -26,16 +26,6 @@ struct BusMaster {
   std::string name;
   BusMasterPlace place;
   AccessLaw access;
-};
-
-/// One access, as an observer sees it.
-struct BusAccess {
-  int master;
-  std::uint64_t address;
-  bool write;
-  Instant request;
-  Instant grant;
-  Instant end;
 };
 
 /// The VERSAbus backplane with its arbiter: blocking transport, exact arbitration.
@@ -81,7 +71,7 @@ class VersaBus : public sc_core::sc_module {
   /// Every access from now on is shown to `observer`, in the order of time.
   void observe(std::function<void(const BusAccess&)> observer) { observer_ = std::move(observer); }
 
-  [[nodiscard]] const BusStatistics& statistics() const { return statistics_; }
+  [[nodiscard]] BusStatistics statistics() const { return account_.statistics(); }
   [[nodiscard]] const AddressMap& address_map() const { return address_map_; }
   [[nodiscard]] const std::string& master_name(int master) const;
   [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
@@ -123,8 +113,7 @@ class VersaBus : public sc_core::sc_module {
   void decide(Instant instant);
   void transfer(int id, Instant decision, Instant grant);
   AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
-  void occupy(int id, Instant from, Instant to);
-  void record(int id, const BusAccess& access, Instant decision);
+  static void answer(BusTransaction& transaction, const BusAccess& access);
   void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
   void complete(int id, Instant end, tlm::tlm_response_status status);
   [[nodiscard]] std::uint64_t next_address(const Master& master) const;
@@ -150,7 +139,7 @@ class VersaBus : public sc_core::sc_module {
   Instant last_decision_{-1};
   sc_core::sc_event wake_;
 
-  BusStatistics statistics_;
+  BusAccount account_;
   std::function<void(const BusAccess&)> observer_;
 };
 

@@ -109,12 +109,47 @@ struct BoardStatistics {
   }
 };
 
-/// How long one bus master waited for grants during the frame.
+/// Waits that most accesses did not exceed: quantiles by nearest rank, each rounded up to its
+/// bucket in the histogram of the waits (at most 1/16 above the exact one, never below).
+struct WaitQuantiles {
+  models::Duration half{};
+  models::Duration nine_of_10{};
+  models::Duration nine_of_100{};
+  models::Duration nine_of_1000{};
+
+  static constexpr auto fields() {
+    using Self = WaitQuantiles;
+    return std::make_tuple(
+        field("p50_s", "s", "not exceeded by 50 % of the accesses, up to 1/16 above", &Self::half),
+        field("p90_s", "s", "not exceeded by 90 %, up to 1/16 above", &Self::nine_of_10),
+        field("p99_s", "s", "not exceeded by 99 %, up to 1/16 above", &Self::nine_of_100),
+        field("p999_s", "s", "not exceeded by 99.9 %, up to 1/16 above", &Self::nine_of_1000));
+  }
+};
+
+/// One bucket of a histogram of waits; its width is at most 1/16 of its lower edge.
+struct WaitBucket {
+  models::Duration from{};
+  models::Duration to{};
+  std::int64_t count = 0;
+
+  static constexpr auto fields() {
+    using Self = WaitBucket;
+    return std::make_tuple(field("from_s", "s", "shortest wait of the bucket", &Self::from),
+                           field("to_s", "s", "just beyond the bucket", &Self::to),
+                           field("count", "accesses", "that waited so long", &Self::count));
+  }
+};
+
+/// How long one bus master waited for grants during the frame, and for whom.
 struct MasterStatistics {
   std::string name;
   std::int64_t transfers = 0;
   models::Duration wait{};
   models::Duration wait_max{};
+  WaitQuantiles wait_quantiles;
+  std::vector<models::Duration> waited_for;
+  std::vector<WaitBucket> waits;
 
   static constexpr auto fields() {
     using Self = MasterStatistics;
@@ -122,7 +157,55 @@ struct MasterStatistics {
         field("name", "", "of the bus master", &Self::name),
         field("transfers", "accesses", "during the frame", &Self::transfers),
         field("wait_s", "s", "from request to grant, all accesses together", &Self::wait),
-        field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max));
+        field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max),
+        field("wait_quantiles", "", "", &Self::wait_quantiles),
+        field("waited_for_s", "s",
+              "part of wait_s while that master had the bus, in their order; its own: arbitration",
+              &Self::waited_for),
+        field("waits", "", "histogram of the waits; empty buckets are left out", &Self::waits));
+  }
+};
+
+/// The wait that was longer than all before it and not exceeded after.
+struct LongestWait {
+  models::Duration time{};
+  models::Duration requested_at{};
+  std::string master = "nobody";
+  std::string behind = "nobody";
+
+  static constexpr auto fields() {
+    using Self = LongestWait;
+    return std::make_tuple(
+        field("time_s", "s", "from request to grant", &Self::time),
+        field("requested_at_s", "s", "from the frame's start to its request", &Self::requested_at),
+        field("master", "", "that waited", &Self::master),
+        field("behind", "", "the master that had the bus for most of it", &Self::behind));
+  }
+};
+
+/// For how long the queue of requests had a certain length.
+struct QueueTime {
+  int length = 0;
+  models::Duration time{};
+
+  static constexpr auto fields() {
+    using Self = QueueTime;
+    return std::make_tuple(field("length", "requests", "that stood together", &Self::length),
+                           field("time_s", "s", "how long; sums to the frame time", &Self::time));
+  }
+};
+
+/// The requests that stand and are not yet granted.
+struct QueueStatistics {
+  double mean = 0;
+  int longest = 0;
+  std::vector<QueueTime> times;
+
+  static constexpr auto fields() {
+    using Self = QueueStatistics;
+    return std::make_tuple(field("mean", "requests", "over the frame time", &Self::mean),
+                           field("longest", "requests", "that stood together", &Self::longest),
+                           field("times", "", "by length of the queue", &Self::times));
   }
 };
 
@@ -132,6 +215,10 @@ struct BusStatistics {
   double utilisation = 0;
   models::Duration wait_mean{};
   models::Duration wait_max{};
+  WaitQuantiles wait_quantiles;
+  LongestWait longest_wait;
+  double fairness = 1;
+  QueueStatistics queue;
   std::vector<MasterStatistics> masters;
 
   static constexpr auto fields() {
@@ -143,7 +230,13 @@ struct BusStatistics {
         field("wait_mean_s", "s", "from request to grant, mean to the nearest picosecond",
               &Self::wait_mean),
         field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max),
-        field("masters", "", "who waited", &Self::masters));
+        field("wait_quantiles", "", "", &Self::wait_quantiles),
+        field("longest_wait", "", "", &Self::longest_wait),
+        field("fairness", "1",
+              "Jain's index of the masters' mean waits: 1 all alike, 1/n one of n bears them",
+              &Self::fairness),
+        field("queue", "", "", &Self::queue),
+        field("masters", "", "who waited for whom", &Self::masters));
   }
 };
 

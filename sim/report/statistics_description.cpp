@@ -2,31 +2,40 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+#include <vector>
+
 #include "sim/report/statistics.hpp"
 
 namespace maquette::sim {
 namespace {
 
+template <typename Value>
+struct ElementOf {
+  using Type = void;
+};
 template <typename Element>
-constexpr bool is_list(const std::vector<Element>* /*type*/) {
-  return true;
-}
-constexpr bool is_list(const void* /*type*/) { return false; }
+struct ElementOf<std::vector<Element>> {
+  using Type = Element;
+};
 
 template <typename Owner>
 std::string describe_fields(const std::string& prefix);
 
 template <typename Owner, typename Value>
 std::string describe_field(const std::string& prefix, const Field<Owner, Value>& field) {
+  using Element = typename ElementOf<Value>::Type;
+  constexpr bool is_list_of_values = !std::is_void_v<Element> && !k_has_fields<Element>;
   const std::string key = prefix + field.name;
   std::string lines;
   if (!k_has_fields<Value> || *field.description != '\0') {
-    lines = fmt::format("{:<30} {:<10} {}\n", key, field.unit, field.description);
+    lines = fmt::format("{:<36} {:<10} {}\n", key + (is_list_of_values ? "[]" : ""), field.unit,
+                        field.description);
   }
   if constexpr (k_has_fields<Value>) {
     lines += describe_fields<Value>(key + ".");
-  } else if constexpr (is_list(static_cast<const Value*>(nullptr))) {
-    lines += describe_fields<typename Value::value_type>(key + "[].");
+  } else if constexpr (k_has_fields<Element>) {
+    lines += describe_fields<Element>(key + "[].");
   }
   return lines;
 }

@@ -55,10 +55,17 @@ std::string bus_lines(const BusStatistics& bus) {
       bus.transfers, 100 * bus.utilisation, readable_duration(bus.wait_mean),
       readable_duration(bus.wait_max));
   for (const auto& master : bus.masters) {
-    text += fmt::format("  {:<14}waited {} in {} transfers, at most {}\n", master.name,
-                        readable_duration(master.wait), master.transfers,
+    text += fmt::format("  {:<14}waited {} in {} transfers, 99 % at most {}, longest {}\n",
+                        master.name, readable_duration(master.wait), master.transfers,
+                        readable_duration(master.wait_quantiles.nine_of_100),
                         readable_duration(master.wait_max));
   }
+  if (bus.longest_wait.time.count() > 0) {
+    text += fmt::format("  longest wait    {} after {}, behind {}\n", bus.longest_wait.master,
+                        readable_duration(bus.longest_wait.requested_at), bus.longest_wait.behind);
+  }
+  text += fmt::format("  queue           mean {:.3g} requests, at most {}; fairness {:.4f}\n",
+                      bus.queue.mean, bus.queue.longest, bus.fairness);
   return text;
 }
 

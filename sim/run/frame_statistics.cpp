@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "sim/run/contention_statistics.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -22,28 +24,6 @@ BoardStatistics board_statistics(const models::BoardStatistics& board, std::size
     throw std::logic_error(result.name + "'s states do not sum to the frame time");
   }
   return result;
-}
-
-BusStatistics bus_statistics(const models::MachineStatistics& model) {
-  BusStatistics bus;
-  models::Duration waited{};
-  for (std::size_t i = 0; i < model.boards.size(); ++i) {
-    const models::BoardStatistics& board = model.boards[i];
-    bus.transfers += board.words;
-    bus.busy += board.transfer;
-    waited += board.wait_grant;
-    bus.wait_max = std::max(bus.wait_max, board.longest_wait);
-    bus.masters.push_back(
-        {fmt::format("board{}", i), board.words, board.wait_grant, board.longest_wait});
-  }
-  if (bus.transfers > 0) {
-    bus.wait_mean = (waited + models::Duration(bus.transfers / 2)) / bus.transfers;
-  }
-  if (model.frame_time.count() > 0) {
-    bus.utilisation =
-        static_cast<double>(bus.busy.count()) / static_cast<double>(model.frame_time.count());
-  }
-  return bus;
 }
 
 void add_totals(const models::WorkTotals& totals, Statistics& statistics) {
@@ -85,7 +65,7 @@ Statistics frame_statistics(const models::MachineStatistics& model, const Machin
     statistics.boards.push_back(board_statistics(model.boards[i], i, model.frame_time));
     add_totals(model.boards[i].work, statistics);
   }
-  statistics.bus = bus_statistics(model);
+  statistics.bus = contention_statistics(model);
   std::copy(std::begin(preprocessing.counts), std::end(preprocessing.counts),
             statistics.preprocess_work.begin());
   statistics.partial = !model.has_finished;

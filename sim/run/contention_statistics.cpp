@@ -1,0 +1,131 @@
+#include "sim/run/contention_statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace maquette::sim {
+
+namespace {
+
+using models::Duration;
+
+std::string board_name(int board) {
+  return board == models::k_nobody ? "nobody" : fmt::format("board{}", board);
+}
+
+double ratio(Duration part, Duration whole) {
+  return whole.count() > 0 ? static_cast<double>(part.count()) / static_cast<double>(whole.count())
+                           : 0;
+}
+
+WaitQuantiles quantiles_of(const models::WaitHistogram& waits) {
+  return {waits.quantile(500), waits.quantile(900), waits.quantile(990), waits.quantile(999)};
+}
+
+MasterStatistics master_statistics(const models::MachineStatistics& model, std::size_t number) {
+  const models::BoardStatistics& board = model.boards[number];
+  const models::BusMasterStatistics& on_bus = model.bus.masters[number];
+  MasterStatistics master;
+  master.name = board_name(static_cast<int>(number));
+  master.transfers = board.words;
+  master.wait = board.wait_grant;
+  master.wait_max = board.longest_wait;
+  master.wait_quantiles = quantiles_of(on_bus.waits);
+  const auto& row = model.bus.waited_for[number];
+  master.waited_for.assign(row.begin(),
+                           row.begin() + static_cast<std::ptrdiff_t>(model.boards.size()));
+  for (const models::WaitHistogram::Bucket& bucket : on_bus.waits.buckets()) {
+    master.waits.push_back({bucket.from, bucket.to, bucket.count});
+  }
+  if (model.has_finished && std::accumulate(master.waited_for.begin(), master.waited_for.end(),
+                                            Duration{}) != master.wait) {
+    throw std::logic_error(master.name + "'s waits for the others do not sum to its wait");
+  }
+  return master;
+}
+
+LongestWait longest_wait(const models::MachineStatistics& model) {
+  LongestWait longest;
+  for (std::size_t i = 0; i < model.boards.size(); ++i) {
+    const models::BusMasterStatistics& master = model.bus.masters[i];
+    const Duration requested_at = master.longest_wait_request - model.load_time;
+    if (master.longest_wait > longest.time ||
+        (master.longest_wait == longest.time && requested_at < longest.requested_at)) {
+      longest = {master.longest_wait, requested_at, board_name(static_cast<int>(i)),
+                 board_name(master.longest_wait_behind)};
+    }
+  }
+  return longest;
+}
+
+/// (sum x)^2 / (n sum x^2) of the boards' mean waits x (Jain, Chiu and Hawe 1984).
+double fairness_of(const models::MachineStatistics& model) {
+  double sum = 0;
+  double squares = 0;
+  int boards = 0;
+  for (const models::BoardStatistics& board : model.boards) {
+    if (board.words > 0) {
+      const double mean =
+          static_cast<double>(board.wait_grant.count()) / static_cast<double>(board.words);
+      sum += mean;
+      squares += mean * mean;
+      ++boards;
+    }
+  }
+  return squares > 0 ? sum * sum / (boards * squares) : 1;
+}
+
+/// The requests of the host, before the frame, stood alone: they are taken off the queue.
+QueueStatistics queue_statistics(const models::MachineStatistics& model) {
+  std::vector<Duration> times{model.frame_time};
+  times.insert(times.end(), model.bus.queue_times.begin(), model.bus.queue_times.end());
+  for (std::size_t i = model.boards.size(); i < model.bus.masters.size(); ++i) {
+    times[1] -= model.bus.masters[i].waited;
+  }
+  Duration requests{};
+  QueueStatistics queue;
+  for (std::size_t length = 1; length < times.size(); ++length) {
+    times[0] -= times[length];
+    requests += times[length] * static_cast<std::int64_t>(length);
+  }
+  times[0] = std::max(times[0], Duration::zero());  // an interrupted bus may be ahead of the kernel
+  queue.mean = ratio(requests, model.frame_time);
+  for (std::size_t length = 0; length < times.size(); ++length) {
+    if (times[length] > Duration::zero()) {
+      queue.longest = static_cast<int>(length);
+      queue.times.push_back({queue.longest, times[length]});
+    }
+  }
+  return queue;
+}
+
+}  // namespace
+
+BusStatistics contention_statistics(const models::MachineStatistics& model) {
+  BusStatistics bus;
+  Duration waited{};
+  models::WaitHistogram waits;
+  for (std::size_t i = 0; i < model.boards.size(); ++i) {
+    const models::BoardStatistics& board = model.boards[i];
+    bus.transfers += board.words;
+    bus.busy += board.transfer;
+    waited += board.wait_grant;
+    bus.wait_max = std::max(bus.wait_max, board.longest_wait);
+    waits.add(model.bus.masters[i].waits);
+    bus.masters.push_back(master_statistics(model, i));
+  }
+  if (bus.transfers > 0) {
+    bus.wait_mean = (waited + Duration(bus.transfers / 2)) / bus.transfers;
+  }
+  bus.utilisation = ratio(bus.busy, model.frame_time);
+  bus.wait_quantiles = quantiles_of(waits);
+  bus.longest_wait = longest_wait(model);
+  bus.fairness = fairness_of(model);
+  bus.queue = queue_statistics(model);
+  return bus;
+}
+
+}  // namespace maquette::sim

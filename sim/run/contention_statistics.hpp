@@ -1,0 +1,13 @@
+#pragma once
+
+#include "models/ccett_machine.hpp"
+#include "sim/report/statistics.hpp"
+
+namespace maquette::sim {
+
+/// What the boards did on the bus during the frame and how they waited for one another. Of a run
+/// that was interrupted, waits and queue are those of the accesses granted so far. Throws
+/// std::logic_error when a finished frame's waits do not sum to the boards' time in that state.
+BusStatistics contention_statistics(const models::MachineStatistics& model);
+
+}  // namespace maquette::sim
