@@ -16,6 +16,9 @@ struct BusTransaction : tlm::tlm_extension<BusTransaction> {
   bool block = false;       ///< the bus is kept from the first access to the last
   bool runs_ahead = false;  ///< promise: the master posts its next transaction, or retires, in the
                             ///< kernel instant in which this one ends (the bus saves a wake-up)
+  bool test_and_set = false;  ///< of a burst that reads: each access is a read-modify-write cycle,
+                              ///< which sets the top bit of the first byte under one grant
+  Duration modify{};          ///< between its read and its write
   std::vector<std::uint64_t> addresses;  ///< of the accesses; empty when they are consecutive
 
   // What the bus answers.

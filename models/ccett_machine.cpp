@@ -62,21 +62,35 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
   const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width};
   bus_.attach_slave(frame_memory_.bus_port,
                     {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
+  const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block};
 
-  std::vector<BoardImage> images;
+  std::vector<LoadImage> images;
+  if (parameters.allotment.assignment == Assignment::on_demand) {
+    shared_memory_.emplace("shared_memory", parameters.shared_memory, SharedWindow::k_header_bytes);
+    bus_.attach_slave(shared_memory_->bus_port,
+                      {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
+    if (!setup.images.empty()) {
+      images.push_back({shared.base, std::vector<unsigned char>(shared_memory_->size_bytes())});
+    }
+  }
+  BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};
+  if (parameters.allotment.assignment == Assignment::on_demand) {
+    share.claim = parameters.allotment.claim;
+  }
+  std::vector<int> masters;
   for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
     const std::uint64_t ram_base = block * (index + 1);
-    boards_.push_back(
-        std::make_unique<Kvm02>(("board" + std::to_string(index)).c_str(), parameters.board,
-                                parameters.boards[index], bus_, ram_base, frame,
-                                BoardShare{allotment_, static_cast<std::int64_t>(index),
-                                           static_cast<std::int64_t>(parameters.boards.size())},
-                                source, start_));
-    images.push_back({boards_.back()->master(), ram_base,
-                      setup.images.empty() ? std::vector<unsigned char>{} : setup.images[index]});
+    share.first = static_cast<std::int64_t>(index);
+    boards_.push_back(std::make_unique<Kvm02>(
+        ("board" + std::to_string(index)).c_str(), parameters.board,
+        BoardSite{bus_, parameters.boards[index], ram_base, frame, shared}, share, source, start_));
+    masters.push_back(boards_.back()->master());
+    if (!setup.images.empty()) {
+      images.push_back({ram_base, setup.images[index]});
+    }
   }
-  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, bus_, std::move(images),
-                                 start_);
+  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, bus_,
+                                 std::move(masters), std::move(images), start_);
 }
 
 std::optional<Instant> CcettMachine::finished() const {

@@ -13,6 +13,7 @@
 #include "models/kvm02.hpp"
 #include "models/machine_parameters.hpp"
 #include "models/pixel_source.hpp"
+#include "models/shared_memory.hpp"
 #include "models/versabus.hpp"
 #include "models/video_timing.hpp"
 
@@ -42,8 +43,9 @@ struct MachineStatistics {
 ///
 /// Address map: each board's RAM has its own block of 256 Kbyte (VM02 data sheet p. 2-53), or of
 /// the next power of two for a larger RAM, board 0 from the second block on; the frame memory
-/// follows from 8 Mbyte on, or after the boards when there are too many. Assumption: addresses may
-/// grow beyond the KVM02's 24 bits (the bus has up to 32).
+/// follows from 8 Mbyte on, or after the boards when there are too many; then, on the next block,
+/// the memory that the boards share, if they share something. Assumption: addresses may grow beyond
+/// the KVM02's 24 bits (the bus has up to 32).
 class CcettMachine : public sc_core::sc_module {
  public:
   /// `source` is kept by reference; it has the pixels of the PixelAllotment that parameters and
@@ -78,6 +80,7 @@ class CcettMachine : public sc_core::sc_module {
   VideoTiming timing_;
   VersaBus bus_;
   FrameMemory frame_memory_;
+  std::optional<SharedMemory> shared_memory_;
   std::vector<std::unique_ptr<Kvm02>> boards_;
   std::unique_ptr<Host> host_;
 };

@@ -14,10 +14,9 @@
 
 namespace maquette::models {
 
-/// Code and database of one board, to be written into its RAM.
-struct BoardImage {
-  int master;              ///< the board's number on the bus
-  std::uint64_t ram_base;  ///< bus address of its RAM
+/// What the host writes into a memory: code and database of a board, or what boards share.
+struct LoadImage {
+  std::uint64_t base;  ///< bus address
   std::vector<unsigned char> bytes;
 };
 
@@ -28,17 +27,17 @@ struct HostStatistics {
   Duration transferred{};
 };
 
-/// The EXORmacs host: holds the boards in reset, writes their images into their RAM as a bus master
-/// word by word, and starts them. An image is padded to whole bus words.
+/// The EXORmacs host: holds the boards in reset, writes images into memories as a bus master word
+/// by word, and starts the boards. An image is padded to whole bus words.
 ///
 /// Assumption: its bus interface has the access clocks and the slack of the boards'.
 class Host : public sc_core::sc_module {
  public:
-  /// Loads `images` in their order; every board has one, an empty one when there is nothing to
-  /// load. Then notifies `start`, which is kept by reference.
+  /// Loads `images` in their order while `boards`, masters of the bus, are held. Then notifies
+  /// `start`, which is kept by reference.
   Host(const sc_core::sc_module_name& name, const HostParameters& parameters,
-       const Kvm02Parameters& interface, VersaBus& bus, std::vector<BoardImage> images,
-       sc_core::sc_event& start);
+       const Kvm02Parameters& interface, VersaBus& bus, std::vector<int> boards,
+       std::vector<LoadImage> images, sc_core::sc_event& start);
 
   tlm_utils::simple_initiator_socket<Host> bus_master;
 
@@ -46,12 +45,13 @@ class Host : public sc_core::sc_module {
 
  private:
   void run();
-  void load(BoardImage& image);
+  void load(LoadImage& image);
 
   Duration word_time_;
   VersaBus& bus_;
   int master_;
-  std::vector<BoardImage> images_;
+  std::vector<int> boards_;
+  std::vector<LoadImage> images_;
   BusTransaction transaction_;
   sc_core::sc_event& start_;
   HostStatistics statistics_;

@@ -6,12 +6,33 @@
 #include "models/bus_error.hpp"
 #include "models/frame_memory.hpp"
 #include "models/kernel_time.hpp"
+#include "models/memory_cells.hpp"
 
 namespace maquette::models {
 
 namespace {
 
+constexpr std::size_t k_long_bytes = 4;
 constexpr std::size_t k_stack_bytes = std::size_t{1} << 20U;  // pixel sources compute on it
+
+void append_long(std::uint32_t value, std::vector<unsigned char>& bytes) {
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) {
+    bytes.push_back(static_cast<unsigned char>(value >> shift));
+  }
+}
+
+std::uint32_t long_of(const std::vector<unsigned char>& bytes) {
+  std::uint32_t value = 0;
+  for (std::size_t byte = 0; byte < k_long_bytes; ++byte) {
+    value = value << 8U | bytes[byte];
+  }
+  return value;
+}
+
+constexpr int k_most_tries = 100'000;
+constexpr const char* k_starved =
+    "boards that try to claim a unit keep the one that holds the lock off the bus for ever; "
+    "raise allotment.claim.spin";
 
 AccessLaw access_law(const Kvm02Parameters& parameters) {
   return {Period::of_frequency(parameters.clock_hz), parameters.access_clocks,
@@ -31,30 +52,26 @@ std::size_t checked_ram_bytes(const Kvm02Parameters& parameters) {
 }  // namespace
 
 Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& parameters,
-             const BusMasterPlace& place, VersaBus& bus, std::uint64_t ram_base,
-             const FrameWindow& frame, const BoardShare& share, PixelSource& source,
+             const BoardSite& site, const BoardShare& share, PixelSource& source,
              const sc_core::sc_event& start)
     : sc_module(name),
       bus_master("bus_master"),
       ram_port("ram_port"),
       parameters_(parameters),
       cost_(parameters),
-      word_gap_(access_law(parameters).clock.times(parameters.word_gap_clocks)),
-      bus_(bus),
-      frame_(frame),
+      clock_(Period::of_frequency(parameters.clock_hz)),
+      site_(site),
       share_(share),
       source_(source),
       start_(start),
-      master_(bus.attach_master(bus_master, {this->name(), place, access_law(parameters)})),
+      master_(
+          site.bus.attach_master(bus_master, {this->name(), site.place, access_law(parameters)})),
       ram_(checked_ram_bytes(parameters)) {
-  bus.attach_slave(ram_port, {this->name(), ram_base, ram_.size()});
+  site.bus.attach_slave(ram_port, {this->name(), site.ram_base, ram_.size()});
   ram_port.register_b_transport(this, &Kvm02::access_ram);
   ram_port.register_transport_dbg(this, &Kvm02::debug_ram);
-  transaction_.gap = word_gap_;
-  transaction_.block = parameters.release == ReleasePolicy::block;
-  transaction_.runs_ahead = true;
-  payload_.set_extension(&transaction_);
-  payload_.set_command(tlm::TLM_WRITE_COMMAND);
+  pixels_.transaction.gap = clock_.times(parameters.word_gap_clocks);
+  pixels_.transaction.block = parameters.release == ReleasePolicy::block;
   SC_HAS_PROCESS(Kvm02);
   SC_THREAD(run);
   set_stack_size(k_stack_bytes);
@@ -68,10 +85,16 @@ void Kvm02::run() {
   started_at_ = accounted_ = kernel_now();
   statistics_.preprocessing = cost_.duration(source_.preprocessing());
   computing_ = statistics_.preprocessing;
-  for (std::int64_t unit = share_.first; unit < share_.allotment.units(); unit += share_.step) {
+  for (auto unit = first_unit(); unit < share_.allotment.units(); unit = unit_after(unit)) {
     take_unit(unit);
   }
   finish();
+}
+
+std::int64_t Kvm02::first_unit() { return share_.claim ? claim_unit() : share_.first; }
+
+std::int64_t Kvm02::unit_after(std::int64_t unit) {
+  return share_.claim ? claim_unit() : unit + share_.step;
 }
 
 void Kvm02::take_unit(std::int64_t unit) {
@@ -82,7 +105,7 @@ void Kvm02::take_unit(std::int64_t unit) {
 }
 
 void Kvm02::take(const SynthesizedPixel& pixel) {
-  if (!bytes_.empty() && pixel.row != row_) {
+  if (!pixels_.bytes.empty() && pixel.row != row_) {
     write_pixels();
   }
   computing_ += cost_.duration(pixel.work);
@@ -98,50 +121,110 @@ void Kvm02::take(const SynthesizedPixel& pixel) {
 void Kvm02::append(const SynthesizedPixel& pixel) {
   row_ = pixel.row;
   const std::uint64_t index =
-      static_cast<std::uint64_t>(pixel.row) * static_cast<std::uint64_t>(frame_.width) +
+      static_cast<std::uint64_t>(pixel.row) * static_cast<std::uint64_t>(site_.frame.width) +
       pixel.column;
-  for (unsigned byte = 0; byte < FrameMemory::k_pixel_bytes; byte += bus_.word_bytes()) {
-    transaction_.addresses.push_back(frame_.base + FrameMemory::k_pixel_bytes * index + byte);
+  for (unsigned byte = 0; byte < FrameMemory::k_pixel_bytes; byte += site_.bus.word_bytes()) {
+    pixels_.transaction.addresses.push_back(site_.frame.base + FrameMemory::k_pixel_bytes * index +
+                                            byte);
   }
-  bytes_.push_back(static_cast<unsigned char>(pixel.rgb >> 16U));
-  bytes_.push_back(static_cast<unsigned char>(pixel.rgb >> 8U));
-  bytes_.push_back(static_cast<unsigned char>(pixel.rgb));
-  bytes_.push_back(0);
+  append_long(pixel.rgb << 8U, pixels_.bytes);
 }
 
 void Kvm02::write_pixels() {
-  payload_.set_address(transaction_.addresses.front());
-  payload_.set_data_ptr(bytes_.data());
-  payload_.set_data_length(static_cast<unsigned>(bytes_.size()));
-  payload_.set_streaming_width(static_cast<unsigned>(bytes_.size()));
-  sc_core::sc_time delay = to_sc_time(computing_);
-  bus_master->b_transport(payload_, delay);
-  require_answer(payload_, transaction_, name());
-  statistics_.compute += computing_ + word_gap_ * (transaction_.accesses - 1);
-  statistics_.wait_grant += transaction_.waited;
-  statistics_.transfer += transaction_.transferred;
-  statistics_.words += transaction_.accesses;
-  if (transaction_.longest_wait > statistics_.longest_wait) {
-    statistics_.longest_wait = transaction_.longest_wait;
-    statistics_.longest_wait_request = transaction_.longest_wait_request;
-  }
-  computing_ = Duration::zero();
-  accounted_ = kernel_now();
-  bytes_.clear();
-  transaction_.addresses.clear();
+  pixels_.aim(pixels_.transaction.addresses.front());
+  transact(pixels_);
+  pixels_.bytes.clear();
+  pixels_.transaction.addresses.clear();
 }
 
 void Kvm02::finish() {
-  if (!bytes_.empty()) {
+  if (!pixels_.bytes.empty()) {
     write_pixels();
   }
-  bus_.retire(master_);
+  site_.bus.retire(master_);
   sc_core::wait(to_sc_time(computing_));
   statistics_.compute += computing_;
   computing_ = Duration::zero();
   accounted_ = kernel_now();
   statistics_.finished = accounted_;
 }
+
+// ---- units on demand ----
+
+std::int64_t Kvm02::claim_unit() {
+  const Instant begin = own_time();
+  for (int tries = 1; !test_and_set(); ++tries) {
+    if (tries == k_most_tries) {
+      SC_REPORT_ERROR("/maquette/kvm02", k_starved);
+    }
+    ++statistics_.failed_tries;
+    compute(share_.claim->spin_clocks * share_.step);
+  }
+  compute(share_.claim->read_clocks);
+  const std::uint32_t unit = read_shared(site_.shared.next_unit());
+  compute(share_.claim->update_clocks);
+  write_shared(site_.shared.next_unit(), unit + 1);
+  compute(share_.claim->unlock_clocks);
+  shared_write_.bytes.assign(site_.bus.word_bytes(), 0);
+  shared_write_.aim(site_.shared.lock());
+  transact(shared_write_);
+  compute(share_.claim->finish_clocks);
+  ++statistics_.claims;
+  statistics_.claiming += own_time() - begin;
+  return unit;
+}
+
+// A byte takes a whole word of the bus.
+bool Kvm02::test_and_set() {
+  shared_read_.transaction.test_and_set = true;
+  shared_read_.transaction.modify = clock_.times(share_.claim->modify_clocks);
+  shared_read_.bytes.resize(site_.bus.word_bytes());
+  shared_read_.aim(site_.shared.lock());
+  transact(shared_read_);
+  shared_read_.transaction.test_and_set = false;
+  return (shared_read_.bytes.front() & SharedWindow::k_taken) == 0;
+}
+
+// The words of a long word follow one another without a gap.
+std::uint32_t Kvm02::read_shared(std::uint64_t address) {
+  shared_read_.bytes.resize(k_long_bytes);
+  shared_read_.aim(address);
+  transact(shared_read_);
+  return long_of(shared_read_.bytes);
+}
+
+void Kvm02::write_shared(std::uint64_t address, std::uint32_t value) {
+  shared_write_.bytes.clear();
+  append_long(value, shared_write_.bytes);
+  shared_write_.aim(address);
+  transact(shared_write_);
+}
+
+// ---- time ----
+
+void Kvm02::compute(Clocks clocks) { computing_ += clock_.times(clocks); }
+
+// Computes for as long as is due, then does the burst.
+void Kvm02::transact(BusBurst& burst) {
+  BusTransaction& transaction = burst.transaction;
+  transaction.runs_ahead = true;
+  sc_core::sc_time delay = to_sc_time(computing_);
+  bus_master->b_transport(burst.payload, delay);
+  require_answer(burst.payload, transaction, name());
+  statistics_.compute += computing_ + transaction.gap * (transaction.accesses - 1);
+  statistics_.wait_grant += transaction.waited;
+  statistics_.transfer += transaction.transferred;
+  statistics_.words += transaction.accesses;
+  if (transaction.longest_wait > statistics_.longest_wait) {
+    statistics_.longest_wait = transaction.longest_wait;
+    statistics_.longest_wait_request = transaction.longest_wait_request;
+  }
+  computing_ = Duration::zero();
+  accounted_ = kernel_now();
+}
+
+// The instant that its processor has reached.
+Instant Kvm02::own_time() const { return accounted_ + computing_; }
 
 BoardStatistics Kvm02::statistics(Instant instant) const {
   BoardStatistics statistics = statistics_;
@@ -170,22 +253,6 @@ void Kvm02::access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& dela
   delay += to_sc_time(parameters_.dual_port_access);
 }
 
-unsigned Kvm02::debug_ram(tlm::tlm_generic_payload& payload) {
-  const std::uint64_t address = payload.get_address();
-  const std::uint64_t bytes = payload.get_data_length();
-  if (address >= ram_.size() || bytes > ram_.size() - address) {
-    payload.set_response_status(tlm::TLM_ADDRESS_ERROR_RESPONSE);
-    return 0;
-  }
-  unsigned char* ram = ram_.data() + address;
-  unsigned char* data = payload.get_data_ptr();
-  if (payload.is_read()) {
-    std::copy_n(ram, bytes, data);
-  } else {
-    std::copy_n(data, bytes, ram);
-  }
-  payload.set_response_status(tlm::TLM_OK_RESPONSE);
-  return static_cast<unsigned>(bytes);
-}
+unsigned Kvm02::debug_ram(tlm::tlm_generic_payload& payload) { return access_cells(ram_, payload); }
 
 }  // namespace maquette::models

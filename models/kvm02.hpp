@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "models/allotment.hpp"
-#include "models/bus_transaction.hpp"
+#include "models/bus_burst.hpp"
 #include "models/instant.hpp"
 #include "models/machine_parameters.hpp"
 #include "models/pixel_source.hpp"
+#include "models/shared_memory.hpp"
 #include "models/versabus.hpp"
 #include "models/work_cost.hpp"
 #include "models/work_totals.hpp"
@@ -25,11 +26,22 @@ struct FrameWindow {
   int width;
 };
 
-/// Which units of the allotment a board takes: first, first + step, first + 2 step, ...
+/// Which units of the allotment a board takes: first, first + step, first + 2 step, ..., or those
+/// that it claims.
 struct BoardShare {
   const PixelAllotment& allotment;
   std::int64_t first;
   std::int64_t step;
+  std::optional<ClaimParameters> claim;
+};
+
+/// Where a board sits on its bus, and what it finds there.
+struct BoardSite {
+  VersaBus& bus;
+  BusMasterPlace place;
+  std::uint64_t ram_base;  ///< of its own RAM
+  FrameWindow frame;
+  SharedWindow shared;
 };
 
 /// What a board did with its time. The four states sum to the time from the start of the frame to
@@ -45,7 +57,10 @@ struct BoardStatistics {
   std::optional<Instant> finished;  ///< end of its last work, when it has ended
   std::int64_t pixels = 0;
   std::int64_t words = 0;
-  WorkTotals work;  ///< of its pixels
+  Duration claiming{};            ///< of the states: for units, from the first try to the last step
+  std::int64_t claims = 0;        ///< the last one of a board finds no unit left
+  std::int64_t failed_tries = 0;  ///< test-and-set cycles that found the lock taken
+  WorkTotals work;                ///< of its pixels
 };
 
 /// A KVM02 board (M68KVM02): a processor that spends the time of its work and writes its pixels as
@@ -55,12 +70,11 @@ struct BoardStatistics {
 /// Assumption: nobody uses the second port while the board computes, so the two do not conflict.
 class Kvm02 : public sc_core::sc_module {
  public:
-  /// Attaches the board to `bus` as a master at `place` and as a slave at `ram_base`. Once `start`
-  /// is notified the board takes its `share` of the pixels of `source`. Bus, source, start and the
-  /// allotment are kept by reference.
+  /// Attaches the board to the bus of its site, as a master and as a slave. Once `start` is
+  /// notified it takes its share of the pixels of `source`. Bus, allotment, source and start are
+  /// kept by reference.
   Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& parameters,
-        const BusMasterPlace& place, VersaBus& bus, std::uint64_t ram_base,
-        const FrameWindow& frame, const BoardShare& share, PixelSource& source,
+        const BoardSite& site, const BoardShare& share, PixelSource& source,
         const sc_core::sc_event& start);
 
   tlm_utils::simple_initiator_socket<Kvm02> bus_master;
@@ -78,20 +92,30 @@ class Kvm02 : public sc_core::sc_module {
 
  private:
   void run();
+  [[nodiscard]] std::int64_t first_unit();
+  [[nodiscard]] std::int64_t unit_after(std::int64_t unit);
   void take_unit(std::int64_t unit);
   void take(const SynthesizedPixel& pixel);
   void append(const SynthesizedPixel& pixel);
   void write_pixels();
   void finish();
 
+  [[nodiscard]] std::int64_t claim_unit();
+  [[nodiscard]] bool test_and_set();
+  [[nodiscard]] std::uint32_t read_shared(std::uint64_t address);
+  void write_shared(std::uint64_t address, std::uint32_t value);
+
+  void compute(Clocks clocks);
+  void transact(BusBurst& burst);
+  [[nodiscard]] Instant own_time() const;
+
   void access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned debug_ram(tlm::tlm_generic_payload& payload);
 
   Kvm02Parameters parameters_;
   WorkCost cost_;
-  Duration word_gap_;
-  VersaBus& bus_;
-  FrameWindow frame_;
+  Period clock_;
+  BoardSite site_;
   BoardShare share_;
   PixelSource& source_;
   const sc_core::sc_event& start_;
@@ -101,9 +125,9 @@ class Kvm02 : public sc_core::sc_module {
   Instant accounted_{};   // up to here the states are known
   Duration computing_{};  // since then, before the next request
   int row_ = 0;           // of the pixels that wait to be written
-  std::vector<unsigned char> bytes_;
-  BusTransaction transaction_;  // before the payload, which frees its extensions
-  tlm::tlm_generic_payload payload_;
+  BusBurst pixels_{tlm::TLM_WRITE_COMMAND};
+  BusBurst shared_read_{tlm::TLM_READ_COMMAND};
+  BusBurst shared_write_{tlm::TLM_WRITE_COMMAND};
   bool started_ = false;
   Instant started_at_{};
   BoardStatistics statistics_;

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int k_levels = 5;
 constexpr int k_bits_per_byte = 8;
+constexpr unsigned char k_taken = 0x80;  // what TAS sets
 constexpr const char* k_report = "/maquette/versabus";
 
 // Throws out of the kernel's run.
@@ -237,7 +238,9 @@ std::uint64_t VersaBus::next_address(const Master& master) const {
 void VersaBus::transfer(int id, Instant decision, Instant grant) {
   Master& master = at(id);
   const std::uint64_t address = next_address(master);
-  const AccessResult result = access_slave(master, address, grant);
+  const AccessResult result = master.transaction->test_and_set
+                                  ? test_and_set(master, address, grant)
+                                  : access_slave(master, address, grant);
   const BusAccess access{
       id, address, master.burst->is_write(), master.request, grant, grant + result.duration};
   if (access.request > decision || decision > grant || grant >= access.end) {
@@ -288,6 +291,25 @@ VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t addr
     return {timeout_, tlm::TLM_GENERIC_ERROR_RESPONSE};
   }
   return {master.description.access.duration(slave_time), access.get_response_status()};
+}
+
+VersaBus::AccessResult VersaBus::test_and_set(Master& master, std::uint64_t address,
+                                              Instant strobe) {
+  unsigned char& first_byte =
+      master.burst
+          ->get_data_ptr()[static_cast<std::size_t>(master.transaction->accesses * word_bytes_)];
+  master.access.set_command(tlm::TLM_READ_COMMAND);
+  const AccessResult read = access_slave(master, address, strobe);
+  if (read.status != tlm::TLM_OK_RESPONSE) {
+    return read;
+  }
+  const unsigned char value = first_byte;
+  const Duration until_write = read.duration + master.transaction->modify;
+  first_byte = static_cast<unsigned char>(value | k_taken);
+  master.access.set_command(tlm::TLM_WRITE_COMMAND);
+  const AccessResult write = access_slave(master, address, strobe + until_write);
+  first_byte = value;
+  return {until_write + write.duration, write.status};
 }
 
 void VersaBus::finish_access(int id, std::uint64_t address, Instant end,

@@ -43,6 +43,9 @@ struct BusMaster {
 /// While some master computes unknown to the bus, only instants before the kernel's are decided and
 /// the bus wakes itself one tick after the next one.
 ///
+/// A read-modify-write cycle is one access that lasts as long as its read, the processor's change
+/// and its write together; the bus is not released in between, whoever asks (MC68000 TAS).
+///
 /// Slaves are called with the offset of the data strobe as TLM delay (exactly: BusStrobe) and the
 /// address relative to their base; they add their access time to the delay and must not wait. An
 /// access that nobody answers, or not within the timeout, is a bus error: it lasts for the timeout
@@ -113,6 +116,7 @@ class VersaBus : public sc_core::sc_module {
   void decide(Instant instant);
   void transfer(int id, Instant decision, Instant grant);
   AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
+  AccessResult test_and_set(Master& master, std::uint64_t address, Instant strobe);
   static void answer(BusTransaction& transaction, const BusAccess& access);
   void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
   void complete(int id, Instant end, tlm::tlm_response_status status);

@@ -143,6 +143,7 @@ void check_timeout(const models::MachineParameters& parameters, const YamlNode& 
     }
   };
   check(parameters.board.dual_port_access, "board.dual_port_access");
+  check(parameters.shared_memory.access_time, "shared_memory.access_time");
   check(memory.access_time, "frame_memory.access_time");
   if (memory.video_priority) {
     check(memory.access_time + memory.video_slot_time, "frame_memory.video_slot_time");

@@ -183,6 +183,31 @@ void declare_host(Visitor& visitor, models::HostParameters& host) {
                 host.loads_code, FlagType{});
 }
 
+/// The steps of a claim: processor clocks besides the bus accesses, with the two wait states of
+/// every read of an instruction from RAM.
+template <class Visitor>
+void declare_claim(Visitor& visitor, models::ClaimParameters& claim) {
+  visitor.field({"modify", "between read and write of the test-and-set cycle",
+                 "MC68000 instruction times: TAS 14(2/1) less its instruction and two cycles [R]"},
+                claim.modify_clocks, k_clocks);
+  visitor.field(
+      {"spin", "from a test-and-set that failed to the next, times the number of boards",
+       "two turns DBcc 10(2/0) of a delay loop per board, lest the tries fill the bus [I]"},
+      claim.spin_clocks, k_clocks);
+  visitor.field({"read", "from the test-and-set that succeeded to the counter's read",
+                 "MC68000 instruction times: TAS's last fetch 4(1/0), Bcc not taken 8(1/0) [I]"},
+                claim.read_clocks, k_clocks);
+  visitor.field({"update", "from the counter's read to its write",
+                 "MC68000 instruction times: last fetch 4(1/0), MOVE.L 4(1/0), ADDQ.L 8(1/0) [I]"},
+                claim.update_clocks, k_clocks);
+  visitor.field({"unlock", "from the counter's write to the write that clears the lock",
+                 "MC68000 instruction times: last fetch of MOVE.L 4(1/0) [I]"},
+                claim.unlock_clocks, k_clocks);
+  visitor.field({"finish", "from there to the first pixel of the unit",
+                 "MC68000 instruction times: last fetch 4(1/0), CMP.L 6(1/0), Bcc 8(1/0) [I]"},
+                claim.finish_clocks, k_clocks);
+}
+
 template <class Visitor>
 void declare_allotment(Visitor& visitor, models::AllotmentParameters& allotment) {
   constexpr WholeType k_side{WholeDimension::pixels, {1, 65535}};
@@ -197,6 +222,20 @@ void declare_allotment(Visitor& visitor, models::AllotmentParameters& allotment)
                 k_side);
   visitor.field({"tile_height", "of tiles", "choice of the firmware [I]"}, allotment.tile_height,
                 k_side);
+  visitor.field({"assignment", "every n-th of n boards' units, or the next one of a shared counter",
+                 "choice of the firmware [I]"},
+                allotment.assignment,
+                ChoiceType<models::Assignment>{{{"fixed", models::Assignment::fixed},
+                                                {"on_demand", models::Assignment::on_demand}}});
+  visitor.group({"claim", "of the next unit on demand, by a board"},
+                [&] { declare_claim(visitor, allotment.claim); });
+}
+
+template <class Visitor>
+void declare_shared_memory(Visitor& visitor, models::SharedMemoryParameters& memory) {
+  visitor.field({"access_time", "data strobe to acknowledge",
+                 "usual dynamic RAM of the time, not found for the M68KVM10 and 11 [I]"},
+                memory.access_time, k_time);
 }
 
 /// The boards' number and places; `places` overrides the rule.
@@ -233,6 +272,8 @@ void declare_machine(Visitor& visitor, Machine& machine) {
                 [&] { declare_host(visitor, parameters.host); });
   visitor.group({"allotment", "of pixels to boards"},
                 [&] { declare_allotment(visitor, parameters.allotment); });
+  visitor.group({"shared_memory", "a memory board on the bus, when boards share something"},
+                [&] { declare_shared_memory(visitor, parameters.shared_memory); });
 }
 
 }  // namespace maquette::sim

@@ -52,6 +52,7 @@ struct FrameStatistics {
   models::Duration synthesis{};
   std::int64_t pixels_total = 0;
   std::int64_t pixels_synthesised = 0;
+  double imbalance = 0;
 
   static constexpr auto fields() {
     using Self = FrameStatistics;
@@ -68,7 +69,9 @@ struct FrameStatistics {
               &Self::synthesis),
         field("pixels_total", "pixels", "of the frame", &Self::pixels_total),
         field("pixels_synthesised", "pixels", "in the useful zone, written by the boards",
-              &Self::pixels_synthesised));
+              &Self::pixels_synthesised),
+        field("imbalance", "1", "time of the longest busy board over the boards' mean, less 1",
+              &Self::imbalance));
   }
 };
 
@@ -96,6 +99,9 @@ struct BoardStatistics {
   models::Duration wait_grant{};
   models::Duration transfer{};
   models::Duration idle{};
+  models::Duration claim{};
+  std::int64_t claims = 0;
+  std::int64_t claim_failed_tries = 0;
 
   static constexpr auto fields() {
     using Self = BoardStatistics;
@@ -105,7 +111,11 @@ struct BoardStatistics {
         field("compute_s", "s", "the processor works", &Self::compute),
         field("wait_grant_s", "s", "the bus is requested and not granted", &Self::wait_grant),
         field("transfer_s", "s", "the board is bus master", &Self::transfer),
-        field("idle_s", "s", "the board has no more pixels", &Self::idle));
+        field("idle_s", "s", "the board has no more pixels", &Self::idle),
+        field("claim_s", "s", "of these but idle: claiming units on demand", &Self::claim),
+        field("claims", "claims", "of units on demand, the last one in vain", &Self::claims),
+        field("claim_failed_tries", "accesses", "test-and-set cycles that found the lock taken",
+              &Self::claim_failed_tries));
   }
 };
 

@@ -20,6 +20,9 @@ BoardStatistics board_statistics(const models::BoardStatistics& board, std::size
   result.wait_grant = board.wait_grant;
   result.transfer = board.transfer;
   result.idle = board.idle;
+  result.claim = board.claiming;
+  result.claims = board.claims;
+  result.claim_failed_tries = board.failed_tries;
   if (board.compute + board.wait_grant + board.transfer + board.idle != frame_time) {
     throw std::logic_error(result.name + "'s states do not sum to the frame time");
   }
@@ -36,6 +39,21 @@ void add_totals(const models::WorkTotals& totals, Statistics& statistics) {
   statistics.rays.shadow += static_cast<std::int64_t>(totals.shadow);
 }
 
+/// Busy is what is not idle.
+double imbalance_of(const models::MachineStatistics& model) {
+  models::Duration longest{};
+  models::Duration sum{};
+  for (const models::BoardStatistics& board : model.boards) {
+    longest = std::max(longest, model.frame_time - board.idle);
+    sum += model.frame_time - board.idle;
+  }
+  return sum.count() == 0
+             ? 0
+             : static_cast<double>(longest.count()) * static_cast<double>(model.boards.size()) /
+                       static_cast<double>(sum.count()) -
+                   1;
+}
+
 FrameStatistics frame_of(const models::MachineStatistics& model, const Machine& machine) {
   FrameStatistics frame;
   frame.width = machine.parameters.frame_memory.width;
@@ -47,6 +65,7 @@ FrameStatistics frame_of(const models::MachineStatistics& model, const Machine& 
     frame.preprocess = std::max(frame.preprocess, board.preprocessing);
     frame.pixels_synthesised += board.pixels;
   }
+  frame.imbalance = imbalance_of(model);
   frame.preprocess = std::min(frame.preprocess, frame.time);
   frame.synthesis = frame.time - frame.preprocess;
   return frame;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "machine_run.hpp"
 #include "models/allotment.hpp"
 #include "traffic.hpp"
 
@@ -18,7 +19,7 @@ constexpr Allotment k_orders[] = {Allotment::interleaved_pixels, Allotment::inte
 
 PixelAllotment allotment(Allotment order, const PixelRectangle& zone, int boards,
                          int tile_width = 8, int tile_height = 8) {
-  return {{order, tile_width, tile_height}, zone, boards};
+  return {traffic::cut_into(order, tile_width, tile_height), zone, boards};
 }
 
 PixelRectangle random_zone(std::mt19937& generator) {

@@ -2,67 +2,14 @@
 #include <memory>
 #include <stdexcept>
 
+#include "machine_run.hpp"
 #include "models/ccett_machine.hpp"
-#include "source_of_pixels.hpp"
 #include "traffic.hpp"
 
 namespace {
 
 using namespace maquette::models;
 using namespace maquette::models::traffic;
-
-constexpr Duration k_clock{125'000};
-constexpr Duration k_word = 7 * k_clock;
-
-std::uint32_t colour(PixelPosition position) {
-  return static_cast<std::uint32_t>(position.column * 70'001 + position.row * 131) & 0xFFFFFFU;
-}
-
-std::uint32_t uneven_work(PixelPosition position) {
-  return 200 + static_cast<std::uint32_t>(position.column * 7919 + position.row * 104'729) % 900;
-}
-
-MachineParameters machine(int boards) {
-  MachineParameters parameters;
-  parameters.boards = places(boards);
-  parameters.board = plain_board();
-  parameters.frame_memory.width = 64;
-  parameters.frame_memory.height = 48;
-  parameters.frame_memory.video_priority = false;
-  return parameters;
-}
-
-// A machine with the source that feeds it.
-struct Run {
-  Run(const std::string& name, const MachineParameters& parameters, const FrameSetup& setup,
-      AllottedPixels::Glue glue = uneven_work, std::uint32_t preprocessing = 5000)
-      : source(PixelAllotment(parameters.allotment, setup.useful_zone,
-                              static_cast<int>(parameters.boards.size())),
-               colour, std::move(glue), preprocessing),
-        machine(name.c_str(), parameters, source, setup) {}
-
-  AllottedPixels source;
-  CcettMachine machine;
-};
-
-FrameSetup zone(const PixelRectangle& rectangle) {
-  FrameSetup setup;
-  setup.useful_zone = rectangle;
-  return setup;
-}
-
-void check_states(const MachineStatistics& statistics) {
-  Duration busy{};
-  Duration waited{};
-  for (const BoardStatistics& board : statistics.boards) {
-    CHECK(board.compute + board.wait_grant + board.transfer + board.idle == statistics.frame_time);
-    CHECK(board.idle >= Duration::zero());
-    busy += board.transfer;
-    waited += board.wait_grant;
-  }
-  CHECK(busy + statistics.host.transferred == total(statistics.bus).busy);
-  CHECK(waited + statistics.host.waited == total(statistics.bus).waited);
-}
 
 TEST_CASE("one board: the frame time in closed form") {
   const std::uint32_t work = 1000;
@@ -116,8 +63,8 @@ TEST_CASE("any machine: states sum to the frame time, each useful pixel is writt
   std::vector<PixelRectangle> zones;
   for (int one = 0; one < 60; ++one) {
     MachineParameters parameters = machine(1 + below(generator, 9));
-    parameters.allotment.order = static_cast<Allotment>(below(generator, 4));
-    parameters.allotment.tile_width = parameters.allotment.tile_height = 5;
+    parameters.allotment = cut_into(static_cast<Allotment>(below(generator, 4)), 5, 5);
+    parameters.allotment.assignment = static_cast<Assignment>(below(generator, 2));
     parameters.board.release = static_cast<ReleasePolicy>(below(generator, 2));
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     parameters.board.refresh_period = Duration{15'000'000};
@@ -206,7 +153,7 @@ TEST_CASE("a fixed share is every n-th unit, in order") {
   std::vector<std::vector<std::vector<std::uint64_t>>> written(4);  // by order and board
   for (int order = 0; order < 4; ++order) {
     MachineParameters parameters = machine(k_boards);
-    parameters.allotment = {static_cast<Allotment>(order), 5, 4};
+    parameters.allotment = cut_into(static_cast<Allotment>(order), 5, 4);
     parameters.bus.data_width_bits = 32;
     runs.push_back(
         std::make_unique<Run>("share" + std::to_string(order), parameters, zone({7, 3, 23, 19})));
@@ -218,7 +165,8 @@ TEST_CASE("a fixed share is every n-th unit, in order") {
   }
   sc_core::sc_start();
   for (int order = 0; order < 4; ++order) {
-    const PixelAllotment cut({static_cast<Allotment>(order), 5, 4}, {7, 3, 23, 19}, k_boards);
+    const PixelAllotment cut(cut_into(static_cast<Allotment>(order), 5, 4), {7, 3, 23, 19},
+                             k_boards);
     for (int board = 0; board < k_boards; ++board) {
       std::vector<std::uint64_t> expected;
       for (std::int64_t unit = board; unit < cut.units(); unit += k_boards) {
