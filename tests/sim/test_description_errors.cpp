@@ -265,7 +265,7 @@ TEST_CASE("machines are checked as scenes are") {
               "scene.yaml:7:10: ", "did you mean `ccett-1984`?");
   check_error(with_machine("machine: ./nothing.yaml"), "scene.yaml:7:10: ", "cannot read the file");
   check_error(with_machine("machine: {name: a, board: {arithmetic: motorola}}"),
-              "scene.yaml:7:40: ", "ieee_single, mc68881, motorola_ffp");
+              "scene.yaml:7:40: ", "ieee_single, m68010_ffp");
   check_error(with_machine("machine: {name: a, board: {arithmetic: {name: b, code: 1 B}}}"),
               "scene.yaml:7:40: arithmetic: `add` is missing", "");
 }
