@@ -93,6 +93,7 @@ struct Needs {
   bool shadows;
   bool ambient;
   bool reflections;  ///< specular surfaces and a ray tree deeper than 0
+  bool depth;        ///< the display takes a depth with each pixel
 };
 
 template <class Real>

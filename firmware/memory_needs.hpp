@@ -65,7 +65,8 @@ template <class Real>
 std::int64_t prepared_bytes(const Database<Real>& database) {
   return database.leaf_count * k_prepared_leaf_bytes + database.node_count() * k_extent_bytes +
          (database.needs.diffuse ? database.surface_count * k_prepared_surface_bytes : 0) +
-         database.light_count * k_prepared_light_bytes;
+         database.light_count * k_prepared_light_bytes +
+         (database.needs.depth ? 2 * k_real_bytes : 0);
 }
 
 /// The most crossings that a ray can have with a node, and the space its evaluation takes.

@@ -60,6 +60,13 @@ struct PreparedSurface {
   Color<Real> ambient;  ///< luminance under the ambient light
 };
 
+/// How depths become the codes of a depth memory.
+template <class Real>
+struct DepthRange {
+  Real low;  ///< code 0
+  Real codes_per_unit;
+};
+
 template <class Real>
 struct Prepared {
   PreparedLeaf<Real>* leaves;       ///< leaf_count
@@ -67,7 +74,8 @@ struct Prepared {
   PreparedSurface<Real>* surfaces;  ///< surface_count
   Vector<Real>* light_positions;    ///< light_count, screen frame
   Rectangle useful_zone;
-  Real coarse_tolerance;  ///< no two distances of a ray are taken as equal beyond it
+  Real coarse_tolerance;    ///< no two distances of a ray are taken as equal beyond it
+  DepthRange<Real> depths;  ///< where the scene needs them
 };
 
 /// Everything that a frame's pixels read.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/depth.hpp"
 #include "firmware/elementary.hpp"
 #include "firmware/extent.hpp"
 #include "firmware/primitives/primitive_table.hpp"
@@ -201,6 +202,9 @@ void preprocess(const Database<Real>& database, Prepared<Real>& prepared) {
     charge<Real>(Operation::loop);
     prepared.light_positions[light] =
         transform_point(database.observer.to_screen, database.lights[light].position);
+  }
+  if (database.needs.depth) {
+    prepared.depths = depth_range(database, prepared.extents);
   }
   prepared.useful_zone = prepared.extents[database.root].rectangle;
 }

@@ -109,11 +109,18 @@ template <class Real>
   return top;
 }
 
+/// What the rays of a pixel find besides its luminance.
+template <class Real>
+struct Sight {
+  RayCounts rays{};
+  Real depth = far_away<Real>();  ///< of the first visible point, where the scene needs it
+};
+
 /// What a ray contributes by its first visible point; its secondary rays go on the stack.
 template <class Real>
 Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
                    const PendingRay<Real>& pending, const WorkArea<Real>& area,
-                   std::int32_t& height, RayCounts& rays) {
+                   std::int32_t& height, Sight<Real>& sight) {
   const Database<Real>& database = frame.database;
   charge<Real>(Operation::call);
   charge<Real>(Operation::branch, 5);
@@ -125,6 +132,10 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
     return pending.weight * database.background;
   }
   const Crossing<Real> crossing = area.crossings[first];
+  if (database.needs.depth && query.is_primary) {
+    charge<Real>(Operation::branch);
+    sight.depth = crossing.distance;
+  }
   PendingRay<Real> arriving = pending;
   if (before != k_void && database.surfaces[before].absorbing) {
     const Real travelled =
@@ -143,10 +154,11 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
     view = view_of(frame, point,
                    query.is_primary ? normalize(query.ray.direction) : query.ray.direction);
   }
-  const Color<Real> seen = arriving.weight * direct_light(frame, point, view, area.crossings, rays);
+  const Color<Real> seen =
+      arriving.weight * direct_light(frame, point, view, area.crossings, sight.rays);
   if (database.needs.reflections && pending.depth < database.ray_depth &&
       surface.specular > constant<Real>(0)) {
-    height = spawn(frame, point, view, arriving, area.rays, height, rays);
+    height = spawn(frame, point, view, arriving, area.rays, height, sight.rays);
   }
   return seen;
 }
@@ -154,18 +166,18 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
 /// Luminance of a pixel: the primary ray through it and all that follows from it.
 template <class Real>
 Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
-                      const WorkArea<Real>& area, RayCounts& rays) {
+                      const WorkArea<Real>& area, Sight<Real>& sight) {
   const Real one = constant<Real>(1);
   std::int32_t height = 0;
-  ++rays.primary;
+  ++sight.rays.primary;
   Color<Real> sum =
-      follow(frame, primary, {primary.ray, {one, one, one}, 0, k_no_node}, area, height, rays);
+      follow(frame, primary, {primary.ray, {one, one, one}, 0, k_no_node}, area, height, sight);
   while (height > 0) {
     charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 10);
     const PendingRay<Real> pending = area.rays[--height];
     const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0, pending.left_behind};
-    sum += follow(frame, query, pending, area, height, rays);
+    sum += follow(frame, query, pending, area, height, sight);
   }
   return sum;
 }

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "firmware/depth.hpp"
 #include "firmware/ray_tree.hpp"
 
 namespace maquette::firmware {
 
 /// A pixel as synthesis gives it.
 struct Pixel {
-  std::uint32_t rgb;  ///< 0xRRGGBB
+  std::uint32_t rgb;    ///< 0xRRGGBB
+  std::uint16_t depth;  ///< code of its depth, where the display takes one
   RayCounts rays;
 };
 
@@ -46,7 +48,12 @@ Pixel synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int1
   charge<Real>(Operation::call);
   Pixel pixel{};
   const RayQuery<Real> primary = primary_ray(frame.database.observer, column, row);
-  pixel.rgb = rgb_of(luminance(frame, primary, area, pixel.rays));
+  Sight<Real> sight;
+  pixel.rgb = rgb_of(luminance(frame, primary, area, sight));
+  pixel.rays = sight.rays;
+  if (frame.database.needs.depth) {
+    pixel.depth = depth_code(frame.prepared.depths, sight.depth);
+  }
   return pixel;
 }
 

@@ -6,11 +6,12 @@
 
 namespace maquette::models {
 
-/// A pixel that a board has synthesised: where it goes, its colour, what it cost.
+/// A pixel that a board has synthesised: where it goes, its colour and depth, what it cost.
 struct SynthesizedPixel {
   std::uint16_t column;
   std::uint16_t row;
-  std::uint32_t rgb;  ///< 0xRRGGBB
+  std::uint16_t depth;  ///< for a frame memory with depth planes
+  std::uint32_t rgb;    ///< 0xRRGGBB
   firmware::RayCounts rays;
   firmware::Work work;
 };

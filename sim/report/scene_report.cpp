@@ -103,9 +103,7 @@ std::string cost_table(const Machine& machine) {
 }  // namespace
 
 std::string scene_report(const Scene& scene, const Machine& machine) {
-  const PictureSize size{machine.parameters.frame_memory.width,
-                         machine.parameters.frame_memory.height};
-  const PackedScene<float> packed = packed_scene<float>(scene, size);
+  const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));
   const firmware::Database<float> database = packed.database();
   const MemoryMap map = memory_map_of(database, packed.tree_height, machine);
   const std::vector<NamedNeed> needs = named_needs(database.needs);

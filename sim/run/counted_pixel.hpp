@@ -15,8 +15,12 @@ inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Co
   const firmware::Pixel pixel =
       firmware::synthesize(frame, area, static_cast<std::int16_t>(position.column),
                            static_cast<std::int16_t>(position.row));
-  return {static_cast<std::uint16_t>(position.column), static_cast<std::uint16_t>(position.row),
-          pixel.rgb, pixel.rays, firmware::counted_work()};
+  return {static_cast<std::uint16_t>(position.column),
+          static_cast<std::uint16_t>(position.row),
+          pixel.depth,
+          pixel.rgb,
+          pixel.rays,
+          firmware::counted_work()};
 }
 
 /// The pixels of a frame that the firmware synthesises.

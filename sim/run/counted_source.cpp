@@ -7,6 +7,8 @@
 #include <atomic>
 #include <stdexcept>
 
+#include "sim/run/counted_pixel.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -16,13 +18,6 @@ constexpr std::int64_t k_block_pixels = 64;
 
 /// Blocks per thread that several threads make ready at once.
 constexpr std::size_t k_blocks_ahead = 8;
-
-models::PixelRectangle rectangle_of(const firmware::Rectangle& r) {
-  if (r.is_empty()) {
-    return {};
-  }
-  return {r.first_column, r.first_row, r.end_column - r.first_column, r.end_row - r.first_row};
-}
 
 }  // namespace
 
@@ -40,14 +35,7 @@ CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const 
   }
 }
 
-models::PixelRectangle CountedSource::useful_zone() const {
-  return rectangle_of(frame().prepared.useful_zone);
-}
-
-double CountedSource::fraction_taken() const {
-  const std::int64_t pixels = useful_zone().pixels();
-  return pixels == 0 ? 1 : static_cast<double>(taken_) / static_cast<double>(pixels);
-}
+models::PixelRectangle CountedSource::useful_zone() const { return useful_zone_of(frame()); }
 
 models::SynthesizedPixel CountedSource::pixel(std::int64_t index) {
   const auto number = static_cast<std::size_t>(index / k_block_pixels);
@@ -60,7 +48,6 @@ models::SynthesizedPixel CountedSource::pixel(std::int64_t index) {
   }
   const models::SynthesizedPixel pixel =
       block.pixels[static_cast<std::size_t>(index % k_block_pixels)];
-  ++taken_;
   if (--block.left == 0) {
     block.pixels = {};
   }
@@ -104,14 +91,7 @@ void CountedSource::synthesise(std::size_t block, Area& area) {
   pixels.resize(static_cast<std::size_t>(blocks_[block].left));
   std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
   for (models::SynthesizedPixel& synthesised : pixels) {
-    const models::PixelPosition position = allotment_->position(index++);
-    firmware::reset_counted_work();
-    const firmware::Pixel pixel =
-        firmware::synthesize(frame(), view, static_cast<std::int16_t>(position.column),
-                             static_cast<std::int16_t>(position.row));
-    synthesised = {static_cast<std::uint16_t>(position.column),
-                   static_cast<std::uint16_t>(position.row), pixel.rgb, pixel.rays,
-                   firmware::counted_work()};
+    synthesised = counted_pixel(frame(), view, allotment_->position(index++));
   }
 }
 

@@ -28,9 +28,6 @@ class CountedSource : public models::PixelSource {
   [[nodiscard]] models::PixelRectangle useful_zone() const;
   [[nodiscard]] const firmware::Frame<firmware::Counted>& frame() const { return scene_->frame(); }
 
-  /// Share of the pixels that the boards have taken, 0 to 1.
-  [[nodiscard]] double fraction_taken() const;
-
  private:
   using Area = SynthesisArea<firmware::Counted>;
 
@@ -49,7 +46,6 @@ class CountedSource : public models::PixelSource {
   std::unique_ptr<PreparedScene<firmware::Counted>> scene_;
   std::unique_ptr<models::PixelAllotment> allotment_;
   std::vector<Block> blocks_;
-  std::int64_t taken_ = 0;
   int threads_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Area> areas_;

@@ -59,6 +59,8 @@ constexpr OptionalCode k_optional_code[] = {
     {"pass_crossings", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
     {"pass_surface", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
     {"far_departure", [](const Needs& needs) { return needs.transparency; }},
+    {"depth_range", [](const Needs& needs) { return needs.depth; }},
+    {"depth_code", [](const Needs& needs) { return needs.depth; }},
     {"spawn", [](const Needs& needs) { return needs.reflections; }},
     {"spawn_reflected", [](const Needs& needs) { return needs.reflections; }},
     {"spawn_refracted", [](const Needs& needs) { return needs.reflections && needs.transparency; }},

@@ -58,7 +58,7 @@ void write_needs(ImageWriter& writer, const firmware::Needs& needs) {
     add(distribution);
   }
   for (const bool need : {needs.transparency, needs.absorption, needs.lights, needs.shadows,
-                          needs.ambient, needs.reflections}) {
+                          needs.ambient, needs.reflections, needs.depth}) {
     add(need);
   }
   writer.word(bits >> 16U);

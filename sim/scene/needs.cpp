@@ -69,7 +69,8 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"lights", needs.lights},
           {"shadows", needs.shadows},
           {"ambient light", needs.ambient},
-          {"secondary rays", needs.reflections}};
+          {"secondary rays", needs.reflections},
+          {"depth of pixels", needs.depth}};
 }
 
 }  // namespace maquette::sim

@@ -56,29 +56,29 @@ Placement screen_frame(const View& view) {
 }
 
 /// Height of the screen one unit in front of the eye.
-double screen_height(const View& view, const PictureSize& size) {
+double screen_height(const View& view, const PictureFormat& format) {
   if (view.field_of_view_deg) {
     const double half = *view.field_of_view_deg / 2 * (firmware::elementary::k_pi / 180);
     return 2 * firmware::sine(half) / firmware::cosine(half);
   }
   // Pixels are square: the screen's larger demand decides, the other side shows more.
   const double by_height = view.screen->height / view.screen->distance;
-  const double by_width = view.screen->width / view.screen->distance * size.height / size.width;
+  const double by_width = view.screen->width / view.screen->distance * format.height / format.width;
   return std::max(by_height, by_width);
 }
 
 template <class Real>
-firmware::Observer<Real> observer_of(const View& view, const PictureSize& size) {
+firmware::Observer<Real> observer_of(const View& view, const PictureFormat& format) {
   const Placement from_screen = screen_frame(view);
-  const double step = screen_height(view, size) / size.height;
+  const double step = screen_height(view, format) / format.height;
   firmware::Observer<Real> observer;
   observer.from_screen = rounded<Real>(from_screen);
   observer.to_screen = rounded<Real>(inverse_of(from_screen));
   observer.step = rounded<Real>(step);
-  observer.left = rounded<Real>(-step * (size.width - 1) / 2);
-  observer.top = rounded<Real>(step * (size.height - 1) / 2);
-  observer.columns = size.width;
-  observer.rows = size.height;
+  observer.left = rounded<Real>(-step * (format.width - 1) / 2);
+  observer.top = rounded<Real>(step * (format.height - 1) / 2);
+  observer.columns = format.width;
+  observer.rows = format.height;
   return observer;
 }
 
@@ -123,7 +123,7 @@ void pack_leaves(const ObjectTree& tree, const UsedSurfaces& surfaces, PackedSce
 }  // namespace
 
 template <class Real>
-PackedScene<Real> packed_scene(const Scene& scene, const PictureSize& size) {
+PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) {
   const ObjectTree tree = object_tree_of(scene);
   const UsedSurfaces surfaces(scene, tree);
   PackedScene<Real> packed;
@@ -143,18 +143,19 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureSize& size) {
   header.surface_count = static_cast<firmware::SurfaceIndex>(packed.surfaces.size());
   header.light_count = static_cast<std::uint16_t>(packed.lights.size());
   header.root = tree.root;
-  header.observer = observer_of<Real>(scene.view, size);
+  header.observer = observer_of<Real>(scene.view, format);
   header.ambient = rounded<Real>(scene.ambient);
   header.background = rounded<Real>(scene.background);
   header.ray_depth = scene.ray_tree.depth;
   header.minimum_weight = rounded<Real>(scene.ray_tree.minimum_weight);
   header.needs = needs_of(scene, tree, surfaces.packed());
+  header.needs.depth = format.has_depth;
   return packed;
 }
 
-template PackedScene<float> packed_scene<float>(const Scene& scene, const PictureSize& size);
-template PackedScene<double> packed_scene<double>(const Scene& scene, const PictureSize& size);
-template PackedScene<firmware::Counted> packed_scene<firmware::Counted>(const Scene& scene,
-                                                                        const PictureSize& size);
+template PackedScene<float> packed_scene<float>(const Scene& scene, const PictureFormat& format);
+template PackedScene<double> packed_scene<double>(const Scene& scene, const PictureFormat& format);
+template PackedScene<firmware::Counted> packed_scene<firmware::Counted>(
+    const Scene& scene, const PictureFormat& format);
 
 }  // namespace maquette::sim

@@ -5,14 +5,9 @@
 #include "firmware/database.hpp"
 #include "sim/description/scene.hpp"
 #include "sim/scene/object_tree.hpp"
+#include "sim/scene/picture_format.hpp"
 
 namespace maquette::sim {
-
-/// The size of the picture in pixels.
-struct PictureSize {
-  int width;
-  int height;
-};
 
 /// Owns the arrays of a firmware database.
 template <class Real>
@@ -40,6 +35,6 @@ struct PackedScene {
 /// Packs a checked scene as the boards get it: only surfaces that a primitive has, lights only
 /// where a surface can show them. All values are computed in double precision and rounded once.
 template <class Real>
-PackedScene<Real> packed_scene(const Scene& scene, const PictureSize& size);
+PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format);
 
 }  // namespace maquette::sim

@@ -134,13 +134,14 @@ TEST_CASE("Pixels have the same bits counted or not, and the same work each time
     for (std::int16_t row = 0; row < tree.model.rows; row = static_cast<std::int16_t>(row + 5)) {
       for (std::int16_t column = 0; column < tree.model.columns;
            column = static_cast<std::int16_t>(column + 3)) {
-        RayCounts rays{};
+        Sight<float> plain_sight;
+        Sight<Counted> counted_sight;
         const Color<float> a =
             luminance(plain.frame, primary_ray(plain.frame.database.observer, column, row),
-                      plain.area(), rays);
+                      plain.area(), plain_sight);
         const Color<Counted> b =
             luminance(counted.frame, primary_ray(counted.frame.database.observer, column, row),
-                      counted.area(), rays);
+                      counted.area(), counted_sight);
         REQUIRE(std::memcmp(&a, &b, sizeof a) == 0);
         const Work once = work_of([&] { counted.pixel(column, row); });
         const Work again = work_of([&] { counted.pixel(column, row); });

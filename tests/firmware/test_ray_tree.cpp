@@ -125,8 +125,8 @@ TEST_CASE("Rays below the least weight are not cast") {
 Color<double> seen_along_axis(const Model& model, NodeIndex root) {
   BuiltFrame<double> built(model, root);
   const RayQuery<double> query{{{0, 0, 0}, {0, 0, 1}}, far_away<double>(), true, 32, 24, k_no_node};
-  RayCounts rays{};
-  return luminance(built.frame, query, built.area(), rays);
+  Sight<double> sight;
+  return luminance(built.frame, query, built.area(), sight);
 }
 
 TEST_CASE("A lit wall is seen through a slab by exp(-a t) (1 - F)^2") {
@@ -181,9 +181,9 @@ TEST_CASE("In a surrounding of brightness 1 nothing looks brighter") {
     BuiltFrame<double> built(tree.model, tree.root);
     for (std::int16_t row = 0; row < model.rows; row = static_cast<std::int16_t>(row + 6)) {
       for (std::int16_t column = 0; column < model.columns; ++column) {
-        RayCounts rays{};
+        Sight<double> sight;
         const auto query = primary_ray(built.frame.database.observer, column, row);
-        const Color<double> seen = luminance(built.frame, query, built.area(), rays);
+        const Color<double> seen = luminance(built.frame, query, built.area(), sight);
         REQUIRE((seen.x <= 1 + 1e-9 && seen.y <= 1 + 1e-9 && seen.z <= 1 + 1e-9));
         REQUIRE((seen.x >= 0 && seen.y >= 0 && seen.z >= 0));
       }

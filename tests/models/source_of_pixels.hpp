@@ -26,6 +26,7 @@ class AllottedPixels : public PixelSource {
     const PixelPosition position = allotment_.position(index);
     SynthesizedPixel pixel{static_cast<std::uint16_t>(position.column),
                            static_cast<std::uint16_t>(position.row),
+                           0,
                            colour_(position),
                            {1, 2, 3, 4},
                            {}};

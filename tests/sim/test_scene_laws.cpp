@@ -12,7 +12,7 @@
 namespace maquette::sim {
 namespace {
 
-constexpr PictureSize k_size{96, 72};
+constexpr PictureFormat k_size{96, 72};
 
 Object primitive(ObjectKind kind, const std::string& surface, const Vector3& at,
                  const Vector3& size = {1, 1, 1}) {
