@@ -59,7 +59,8 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
   check(parameters, setup);
   const std::uint64_t block = ram_block(parameters.board);
   const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
-  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width};
+  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
+                          PixelFormat(parameters.frame_memory)};
   bus_.attach_slave(frame_memory_.bus_port,
                     {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
   const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block};

@@ -10,31 +10,15 @@ namespace maquette::models {
 
 namespace {
 
-constexpr int k_component_bits = 8;
-constexpr std::uint32_t k_full_component = 0xFF;
+constexpr std::uint32_t k_byte = 0xFF;
+constexpr std::uint16_t k_farthest = 0xFFFF;
 constexpr std::uint8_t k_once_each = 0x11;
 constexpr std::uint8_t k_full_count = 0xF;
 
-std::uint32_t component_mask(int bits) {
-  if (bits < 1 || bits > k_component_bits) {
-    throw std::invalid_argument("a component of the frame memory has 1 to 8 bits");
-  }
-  return (k_full_component << (k_component_bits - bits)) & k_full_component;
+// The first byte of a pixel is the highest of its four.
+unsigned byte_shift(std::uint64_t byte) {
+  return 8U * (FrameMemory::k_pixel_bytes - 1 - static_cast<unsigned>(byte));
 }
-
-std::uint32_t mask_of_planes(const FrameMemoryParameters& parameters) {
-  return component_mask(parameters.red_bits) << 16U | component_mask(parameters.green_bits) << 8U |
-         component_mask(parameters.blue_bits);
-}
-
-// The video converters' full scale is the plane's full code.
-std::uint32_t full_scale(std::uint32_t component, int bits) {
-  const std::uint32_t highest = (1U << static_cast<unsigned>(bits)) - 1;
-  const std::uint32_t code = component >> static_cast<unsigned>(k_component_bits - bits);
-  return (code * k_full_component + highest / 2) / highest;
-}
-
-unsigned component_shift(std::uint64_t byte) { return 16U - 8U * static_cast<unsigned>(byte); }
 
 }  // namespace
 
@@ -44,8 +28,8 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
     : sc_module(name),
       bus_port("bus_port"),
       parameters_(parameters),
-      plane_mask_(mask_of_planes(parameters)),
-      background_(background & plane_mask_),
+      format_(parameters),
+      background_(format_.written(background, k_farthest) & format_.kept()),
       unhindered_(to_sc_time(parameters.access_time)) {
   if (parameters.access_time < Duration::zero()) {
     throw std::invalid_argument("the access time of the frame memory must not be negative");
@@ -95,7 +79,7 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
   if (log_) {
     for (auto pixel = address / k_pixel_bytes; pixel * k_pixel_bytes < address + bytes; ++pixel) {
       log_->push_back({done, static_cast<std::uint32_t>(pixel),
-                       shown(stored_[static_cast<std::size_t>(pixel)])});
+                       format_.colour(stored_[static_cast<std::size_t>(pixel)])});
     }
   }
 }
@@ -116,11 +100,9 @@ void FrameMemory::write(std::uint64_t address, const unsigned char* data, unsign
   for (unsigned offset = 0; offset < bytes; ++offset) {
     const auto pixel = static_cast<std::size_t>((address + offset) / k_pixel_bytes);
     const std::uint64_t byte = (address + offset) % k_pixel_bytes;
-    if (byte < 3) {
-      const unsigned shift = component_shift(byte);
-      const std::uint32_t component = static_cast<std::uint32_t>(data[offset]) << shift;
-      stored_[pixel] = (stored_[pixel] & ~(k_full_component << shift)) | (component & plane_mask_);
-    }
+    const unsigned shift = byte_shift(byte);
+    const std::uint32_t written = static_cast<std::uint32_t>(data[offset]) << shift;
+    stored_[pixel] = (stored_[pixel] & ~(k_byte << shift)) | (written & format_.kept());
   }
 }
 
@@ -138,28 +120,28 @@ void FrameMemory::read(std::uint64_t address, unsigned char* data, unsigned byte
   for (unsigned offset = 0; offset < bytes; ++offset) {
     const auto pixel = static_cast<std::size_t>((address + offset) / k_pixel_bytes);
     const std::uint64_t byte = (address + offset) % k_pixel_bytes;
-    data[offset] = byte < 3 ? static_cast<unsigned char>(stored_[pixel] >> component_shift(byte))
-                            : static_cast<unsigned char>(0);
+    data[offset] = static_cast<unsigned char>(stored_[pixel] >> byte_shift(byte));
   }
-}
-
-std::uint32_t FrameMemory::shown(std::uint32_t stored) const {
-  return full_scale(stored >> 16U & k_full_component, parameters_.red_bits) << 16U |
-         full_scale(stored >> 8U & k_full_component, parameters_.green_bits) << 8U |
-         full_scale(stored & k_full_component, parameters_.blue_bits);
 }
 
 Picture FrameMemory::picture() const {
   Picture picture{parameters_.width, parameters_.height, {}};
   picture.pixels.resize(stored_.size());
   std::transform(stored_.begin(), stored_.end(), picture.pixels.begin(),
-                 [this](std::uint32_t stored) { return shown(stored); });
+                 [this](std::uint32_t stored) { return format_.colour(stored); });
   return picture;
+}
+
+std::vector<std::uint16_t> FrameMemory::depths() const {
+  std::vector<std::uint16_t> depths(stored_.size());
+  std::transform(stored_.begin(), stored_.end(), depths.begin(),
+                 [this](std::uint32_t stored) { return format_.depth(stored); });
+  return depths;
 }
 
 Picture FrameMemory::background() const {
   return {parameters_.width, parameters_.height,
-          std::vector<std::uint32_t>(stored_.size(), shown(background_))};
+          std::vector<std::uint32_t>(stored_.size(), format_.colour(background_))};
 }
 
 Picture FrameMemory::picture_at(Instant instant) const {

@@ -10,6 +10,7 @@
 #include "models/instant.hpp"
 #include "models/machine_parameters.hpp"
 #include "models/picture.hpp"
+#include "models/pixel_format.hpp"
 #include "models/video_slots.hpp"
 #include "models/video_timing.hpp"
 
@@ -19,14 +20,11 @@ namespace maquette::models {
 struct PixelWriteRecord {
   Instant instant;
   std::uint32_t pixel;  ///< in row-major order
-  std::uint32_t rgb;    ///< as read_pixel gives it
+  std::uint32_t rgb;    ///< as picture gives it
 };
 
-/// The frame memory: planes of red, green and blue bits, a bus port and a video port.
-///
-/// On the bus, pixel p of the row-major order is the four bytes from 4 p on: red, green, blue, and
-/// one that does not exist (written to no effect, read as zero). A plane of n bits keeps the top n
-/// of a component's 8; the video port shows full code as full scale.
+/// The frame memory: planes of red, green and blue bits, perhaps of depth, a bus port and a video
+/// port. On the bus, pixel p of the row-major order is the four bytes from 4 p on (PixelFormat).
 ///
 /// Assumption: before the frame the video port clears the memory to the background during one
 /// field, at no cost to the boards. A write is done at the end of its memory access.
@@ -34,8 +32,8 @@ class FrameMemory : public sc_core::sc_module {
  public:
   static constexpr unsigned k_pixel_bytes = 4;
 
-  /// Throws std::invalid_argument for plane widths outside 1..8 bits, and as VideoTiming and
-  /// VideoSlots. `background` is 0xRRGGBB. `keep_log` remembers every write.
+  /// Throws std::invalid_argument as PixelFormat, VideoTiming and VideoSlots. `background` is
+  /// 0xRRGGBB. `keep_log` remembers every write.
   FrameMemory(const sc_core::sc_module_name& name, const FrameMemoryParameters& parameters,
               const VideoTiming& timing, std::uint32_t background, bool keep_log);
 
@@ -45,6 +43,9 @@ class FrameMemory : public sc_core::sc_module {
 
   /// What the memory holds at the end.
   [[nodiscard]] Picture picture() const;
+
+  /// The depths it holds at the end, row-major; 0 without depth planes. The background is farthest.
+  [[nodiscard]] std::vector<std::uint16_t> depths() const;
 
   /// What it held at `instant`. Throws std::logic_error when no log was kept.
   [[nodiscard]] Picture picture_at(Instant instant) const;
@@ -66,14 +67,13 @@ class FrameMemory : public sc_core::sc_module {
   void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
   void count_write(std::uint64_t address, unsigned bytes);
   void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;
-  [[nodiscard]] std::uint32_t shown(std::uint32_t stored) const;
 
   FrameMemoryParameters parameters_;
   std::optional<VideoSlots> slots_;
-  std::uint32_t plane_mask_;
+  PixelFormat format_;
   std::uint32_t background_;
   sc_core::sc_time unhindered_;             // an access that no slot delays
-  std::vector<std::uint32_t> stored_;       // 0xRRGGBB, bits without a plane zero
+  std::vector<std::uint32_t> stored_;       // as PixelFormat, bits without a plane zero
   std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
   std::optional<std::vector<PixelWriteRecord>> log_;
 };

@@ -127,7 +127,7 @@ void Kvm02::append(const SynthesizedPixel& pixel) {
     pixels_.transaction.addresses.push_back(site_.frame.base + FrameMemory::k_pixel_bytes * index +
                                             byte);
   }
-  append_long(pixel.rgb << 8U, pixels_.bytes);
+  append_long(site_.frame.format.written(pixel.rgb, pixel.depth), pixels_.bytes);
 }
 
 void Kvm02::write_pixels() {

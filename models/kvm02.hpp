@@ -12,6 +12,7 @@
 #include "models/bus_burst.hpp"
 #include "models/instant.hpp"
 #include "models/machine_parameters.hpp"
+#include "models/pixel_format.hpp"
 #include "models/pixel_source.hpp"
 #include "models/shared_memory.hpp"
 #include "models/versabus.hpp"
@@ -20,10 +21,11 @@
 
 namespace maquette::models {
 
-/// Where boards find the frame memory: bus address of its first byte, pixels per row.
+/// Where boards find the frame memory: bus address of its first byte, pixels per row, their bytes.
 struct FrameWindow {
   std::uint64_t base;
   int width;
+  PixelFormat format;
 };
 
 /// Which units of the allotment a board takes: first, first + step, first + 2 step, ..., or those

@@ -119,6 +119,16 @@ void check_video_slots(const models::MachineParameters& parameters, const YamlNo
   }
 }
 
+void check_planes(const models::FrameMemoryParameters& memory, const YamlNode& root) {
+  constexpr int k_most_colour_bits = 16;
+  const int colour_bits = memory.red_bits + memory.green_bits + memory.blue_bits;
+  if (memory.depth_bits > 0 && colour_bits > k_most_colour_bits) {
+    fail_at(root, "frame_memory.depth",
+            "stands beside " + std::to_string(colour_bits) +
+                " bits of colour; with depth planes red, green and blue have at most 16 together");
+  }
+}
+
 void check_board(const Machine& machine, const YamlNode& root) {
   const models::Kvm02Parameters& board = machine.parameters.board;
   if (machine.stack_bytes + machine.system_bytes >= board.ram_bytes) {
@@ -156,6 +166,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_board_count(machine, root);
   check_places(machine, root);
   check_board(machine, root);
+  check_planes(machine.parameters.frame_memory, root);
   check_picture_width(machine.parameters, root);
   check_picture_lines(machine.parameters, root);
   check_video_slots(machine.parameters, root);

@@ -136,6 +136,9 @@ void declare_frame_memory(Visitor& visitor, models::FrameMemoryParameters& memor
                 memory.green_bits, k_plane);
   visitor.field({"blue", "planes of blue", "CCETT paper, section V.2.3.3: 24 bits [R]"},
                 memory.blue_bits, k_plane);
+  visitor.field({"depth", "planes of depth, written with each pixel; 0: none",
+                 "CCETT paper, section V.2.3.3: none [R]"},
+                memory.depth_bits, WholeType{WholeDimension::bits, {0, 16}});
   visitor.field({"access_time", "data strobe to acknowledge without video conflict",
                  "usual dynamic RAM of the time [I]"},
                 memory.access_time, k_time);
