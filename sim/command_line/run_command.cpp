@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <future>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
@@ -17,7 +18,9 @@
 #include "sim/report/run_directory.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
+#include "sim/run/frame_recorder.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/record_store.hpp"
 #include "sim/run/simulation.hpp"
 
 namespace maquette::sim {
@@ -30,6 +33,7 @@ struct RunOptions {
   CommonOptions common;
   std::string outdir;
   std::string processor = "counted";
+  std::string record;
   std::string bus = "transaction";
   int threads = 0;
   std::vector<std::string> snapshots;
@@ -41,9 +45,15 @@ void add_options(CLI::App& verb, RunOptions& options) {
   add_common_options(verb, options.common);
   verb.add_option("--outdir", options.outdir, "run directory (default: runs/NAME-OF-SCENE)")
       ->type_name("DIR");
-  verb.add_option("--processor", options.processor, "where pixels come from")
-      ->check(CLI::IsMember({"counted"}))
+  verb.add_option("--processor", options.processor,
+                  "where pixels come from: synthesised and counted, or a recorded frame replayed")
+      ->check(CLI::IsMember({"counted", "recorded"}))
       ->capture_default_str();
+  verb.add_option("--record", options.record,
+                  "OpenEXR file for the work of every pixel: written by --processor counted, "
+                  "replayed by --processor recorded (default there: one in the run directory, made "
+                  "when it is missing)")
+      ->type_name("FILE");
   verb.add_option("--bus", options.bus, "how the bus behaves")
       ->check(CLI::IsMember({"transaction"}))
       ->capture_default_str();
@@ -79,6 +89,24 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
     }
   }
   return instants;
+}
+
+/// The frame to replay, if the run replays one. Whoever keeps a record replays it: the statistics
+/// are the same bytes, and the frame is synthesised once.
+std::optional<RecordedFrame> record_for(const RunOptions& options, const Description& description,
+                                        const std::filesystem::path& directory, int threads) {
+  const Scene& scene = description.scene;
+  const Machine& machine = description.machine;
+  if (options.processor == "recorded") {
+    return options.record.empty() ? record_of(scene, machine, directory / "record", threads)
+                                  : load_record(options.record, record_key_of(scene, machine));
+  }
+  if (options.record.empty()) {
+    return std::nullopt;
+  }
+  std::optional<RecordedFrame> record = record_frame(scene, picture_format_of(machine), threads);
+  save_record(options.record, *record);
+  return record;
 }
 
 void add_pictures(const std::string& name, const std::vector<models::Duration>& instants,
@@ -122,6 +150,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
                              : std::filesystem::path(options.outdir);
   create_run_directory(directory);
 
+  const std::optional<RecordedFrame> record =
+      record_for(options, description, directory, request.threads);
+  request.record = record ? &*record : nullptr;
   // Loading takes about as long as many a simulation: with threads to spare they go side by side.
   const std::future<void> png =
       std::async(request.threads > 1 ? std::launch::async : std::launch::deferred, prepare_png);

@@ -36,6 +36,7 @@ OIIO::ImageSpec specification_of(const ExrImage& image) {
     specification.channelformats.push_back(type_of(channel.storage));
   }
   specification.attribute("compression", "zip:1");
+  specification.attribute("DateTime", "");  // or the library writes the clock
   for (const auto& [name, value] : image.attributes) {
     specification.attribute(name, value);
   }

@@ -19,6 +19,7 @@ constexpr const char* k_scene = "maquetteScene";
 constexpr const char* k_firmware = "maquetteFirmware";
 constexpr const char* k_zone = "maquetteUsefulZone";  // column, row, width, height
 constexpr const char* k_preprocessing = "maquettePreprocessing";
+constexpr const char* k_has_depth = "maquetteHasDepth";  // 1 or 0
 constexpr std::array<const char*, 3> k_colours = {"R", "G", "B"};
 constexpr std::array<unsigned, 3> k_colour_shifts = {16, 8, 0};
 constexpr std::uint32_t k_byte = 0xFF;
@@ -45,6 +46,7 @@ std::vector<ExrChannel> empty_channels() {
   for (const char* colour : k_colours) {
     channels.push_back({colour, ExrStorage::code, {}});
   }
+  channels.push_back({"depth", ExrStorage::count, {}});
   for (const RayChannel& ray : k_rays) {
     channels.push_back({ray.name, ExrStorage::count, {}});
   }
@@ -91,12 +93,19 @@ void append(const models::SynthesizedPixel& pixel, std::vector<ExrChannel>& chan
   for (const unsigned shift : k_colour_shifts) {
     (channel++)->values.push_back(pixel.rgb >> shift & k_byte);
   }
+  (channel++)->values.push_back(pixel.depth);
   for (const RayChannel& ray : k_rays) {
     (channel++)->values.push_back(pixel.rays.*ray.count);
   }
   for (const std::uint32_t count : pixel.work.counts) {
     (channel++)->values.push_back(count);
   }
+}
+
+/// Whether a count fits its place, which it then has.
+bool put(std::uint32_t count, std::uint16_t& place) {
+  place = static_cast<std::uint16_t>(count);
+  return place == count;
 }
 
 /// False when a count does not fit its place.
@@ -107,17 +116,14 @@ bool extract(const std::vector<ExrChannel>& channels, std::size_t index,
   for (const unsigned shift : k_colour_shifts) {
     pixel.rgb |= (channel++)->values[index] << shift;
   }
+  bool fits = put((channel++)->values[index], pixel.depth);
   for (const RayChannel& ray : k_rays) {
-    const std::uint32_t count = (channel++)->values[index];
-    pixel.rays.*ray.count = static_cast<std::uint16_t>(count);
-    if (pixel.rays.*ray.count != count) {
-      return false;
-    }
+    fits = put((channel++)->values[index], pixel.rays.*ray.count) && fits;
   }
   for (std::uint32_t& count : pixel.work.counts) {
     count = (channel++)->values[index];
   }
-  return true;
+  return fits;
 }
 
 /// What is wrong with the header, nothing when all is well.
@@ -159,8 +165,8 @@ std::string read_pixels(const ExrImage& image, RecordedFrame& frame) {
 
 std::string encode_record(const RecordedFrame& frame) {
   ExrImage image;
-  image.width = frame.key.size.width;
-  image.height = frame.key.size.height;
+  image.width = frame.key.format.width;
+  image.height = frame.key.format.height;
   set_data_window(frame.useful_zone, image);
   image.channels = empty_channels();
   for (const models::SynthesizedPixel& pixel : frame.pixels) {
@@ -173,6 +179,7 @@ std::string encode_record(const RecordedFrame& frame) {
   image.attributes = {
       {k_scene, frame.key.scene_sha1},
       {k_firmware, frame.key.firmware},
+      {k_has_depth, frame.key.format.has_depth ? "1" : "0"},
       {k_zone, joined(std::array{zone.column0, zone.row0, zone.width, zone.height})},
       {k_preprocessing, joined(frame.preprocessing.counts)}};
   std::string bytes;
@@ -186,7 +193,8 @@ std::string encode_record(const RecordedFrame& frame) {
 RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
   ExrImage image;
   image.channels = empty_channels();
-  image.attributes = {{k_scene, {}}, {k_firmware, {}}, {k_zone, {}}, {k_preprocessing, {}}};
+  image.attributes = {
+      {k_scene, {}}, {k_firmware, {}}, {k_has_depth, {}}, {k_zone, {}}, {k_preprocessing, {}}};
   RecordedFrame frame;
   std::string error = codec().decode(bytes, image);
   if (error.empty()) {
@@ -202,10 +210,15 @@ RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
 }
 
 void check_record(const RecordKey& wanted, const RecordKey& found, const std::string& name) {
-  if (found.size.width != wanted.size.width || found.size.height != wanted.size.height) {
+  if (found.format.width != wanted.format.width || found.format.height != wanted.format.height) {
     throw DescriptionError(fmt::format(
         "{}: a record of {} x {} pixels; allowed: one of {} x {}, as the frame memory has them",
-        name, found.size.width, found.size.height, wanted.size.width, wanted.size.height));
+        name, found.format.width, found.format.height, wanted.format.width, wanted.format.height));
+  }
+  if (found.format.has_depth != wanted.format.has_depth) {
+    throw DescriptionError(fmt::format("{}: a record {} depths; allowed: one {}", name,
+                                       found.format.has_depth ? "with" : "without",
+                                       wanted.format.has_depth ? "with" : "without"));
   }
   if (found.firmware != wanted.firmware) {
     throw DescriptionError(fmt::format("{}: made by firmware {}; allowed: {}, that of this program",

@@ -11,11 +11,11 @@
 
 namespace maquette::sim {
 
-/// What the work of a frame depends on: nothing of the machine but the size of its picture.
+/// What the work of a frame depends on: nothing of the machine but the format of its picture.
 struct RecordKey {
   std::string scene_sha1;  ///< of the database as a board holds it, 40 hexadecimal digits
   std::string firmware;    ///< version of the firmware, as long
-  PictureSize size{};
+  PictureFormat format{};
 
   /// One name for all of it, 40 hexadecimal digits.
   [[nodiscard]] std::string name() const;

@@ -27,11 +27,11 @@ void record_row(const firmware::Frame<firmware::Counted>& frame, Area& area, int
 
 }  // namespace
 
-RecordedFrame record_frame(const Scene& scene, const PictureSize& size, int threads) {
+RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads) {
   RecordedFrame record;
-  record.key = record_key_of(packed_scene<float>(scene, size).database());
+  record.key = record_key_of(packed_scene<float>(scene, format).database());
   firmware::reset_counted_work();
-  const PreparedScene<firmware::Counted> prepared(packed_scene<firmware::Counted>(scene, size));
+  const PreparedScene<firmware::Counted> prepared(packed_scene<firmware::Counted>(scene, format));
   record.preprocessing = firmware::counted_work();
   const firmware::Frame<firmware::Counted>& frame = prepared.frame();
   record.useful_zone = useful_zone_of(frame);

@@ -1,6 +1,7 @@
 #include "sim/run/simulation.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <systemc>
 
 #include "models/ccett_machine.hpp"
@@ -10,6 +11,7 @@
 #include "sim/description/description_error.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
+#include "sim/run/recorded_source.hpp"
 #include "sim/scene/database_image.hpp"
 #include "sim/scene/memory_map.hpp"
 
@@ -22,19 +24,43 @@ constexpr models::Duration k_slice = std::chrono::seconds(1);
 
 /// What the host writes into every board: the database, and code of the right size. The code's
 /// bytes stay zero, because the native firmware runs in its place.
-std::vector<unsigned char> image_of(const Scene& scene, const MemoryMap& map,
-                                    const PictureSize& size) {
-  const PackedScene<float> packed = packed_scene<float>(scene, size);
+std::vector<unsigned char> image_of(const PackedScene<float>& packed, const MemoryMap& map) {
   std::vector<unsigned char> image = database_image(packed.database());
   image.resize(static_cast<std::size_t>(map.loaded_bytes));
   return image;
 }
 
-void run_kernel(const models::CcettMachine& model, const CountedSource& source,
+/// Where a run's pixels come from.
+struct Pixels {
+  std::unique_ptr<models::PixelSource> source;
+  models::PixelRectangle zone;
+};
+
+Pixels pixels_of(const Scene& scene, const Machine& machine, const SimulationRequest& request) {
+  if (request.record != nullptr) {
+    return {std::make_unique<RecordedSource>(*request.record, machine),
+            request.record->useful_zone};
+  }
+  auto source = std::make_unique<CountedSource>(
+      packed_scene<firmware::Counted>(scene, picture_format_of(machine)), machine, request.threads);
+  const models::PixelRectangle zone = source->useful_zone();
+  return {std::move(source), zone};
+}
+
+/// Share of the pixels that the boards have taken, 0 to 1.
+double fraction_taken(const models::CcettMachine& model, const models::PixelRectangle& zone) {
+  std::int64_t taken = 0;
+  for (const models::BoardStatistics& board : model.statistics().boards) {
+    taken += board.pixels;
+  }
+  return zone.pixels() == 0 ? 1 : static_cast<double>(taken) / static_cast<double>(zone.pixels());
+}
+
+void run_kernel(const models::CcettMachine& model, const models::PixelRectangle& zone,
                 const Continue& go_on) {
   while (!model.finished()) {
     sc_core::sc_start(models::to_sc_time(k_slice));
-    if (!go_on(models::kernel_now(), source.fraction_taken())) {
+    if (!go_on(models::kernel_now(), fraction_taken(model, zone))) {
       return;
     }
   }
@@ -70,29 +96,25 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
 }
 
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
-                                   CountedSource& source, const models::FrameSetup& setup,
+                                   models::PixelSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
   const models::CcettMachine model("machine", machine.parameters, source, setup);
-  run_kernel(model, source, go_on);
+  run_kernel(model, setup.useful_zone, go_on);
   if (model.finished()) {
     model.verify_frame();
   }
   SimulationResult result;
   result.statistics =
-      frame_statistics(model.statistics(), machine, source.useful_zone(), source.preprocessing());
+      frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
   result.clocks = clocks_of(result.statistics, machine.parameters.board);
   result.picture = model.frame_memory().picture();
   take_snapshots(model, request, result);
   return result;
 }
 
-PictureSize picture_size_of(const Machine& machine) {
-  return {machine.parameters.frame_memory.width, machine.parameters.frame_memory.height};
-}
-
 /// The memory map of a board, checked.
 MemoryMap checked_map(const Scene& scene, const Machine& machine,
-                      const PackedScene<firmware::Counted>& packed) {
+                      const PackedScene<float>& packed) {
   MemoryMap map = memory_map_of(packed.database(), packed.tree_height, machine);
   check_memory(map, machine, scene.object.position_in_file);
   return map;
@@ -101,22 +123,21 @@ MemoryMap checked_map(const Scene& scene, const Machine& machine,
 }  // namespace
 
 void check_fit(const Scene& scene, const Machine& machine) {
-  checked_map(scene, machine, packed_scene<firmware::Counted>(scene, picture_size_of(machine)));
+  checked_map(scene, machine, packed_scene<float>(scene, picture_format_of(machine)));
 }
 
 SimulationResult simulate(const Scene& scene, const Machine& machine,
                           const SimulationRequest& request, const Continue& go_on) {
-  const PictureSize size = picture_size_of(machine);
-  const PackedScene<firmware::Counted> packed = packed_scene<firmware::Counted>(scene, size);
+  const auto packed = packed_scene<float>(scene, picture_format_of(machine));
   const MemoryMap map = checked_map(scene, machine, packed);
-  CountedSource source(packed, machine, request.threads);
+  const Pixels pixels = pixels_of(scene, machine, request);
   models::FrameSetup setup;
-  setup.useful_zone = source.useful_zone();
-  setup.background = firmware::rgb_of(source.frame().database.background);
-  setup.images.assign(machine.parameters.boards.size(), image_of(scene, map, size));
+  setup.useful_zone = pixels.zone;
+  setup.background = firmware::rgb_of(packed.header.background);
+  setup.images.assign(machine.parameters.boards.size(), image_of(packed, map));
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
-    return simulate_prepared(with_room(machine, map), request, source, setup, go_on);
+    return simulate_prepared(with_room(machine, map), request, *pixels.source, setup, go_on);
   } catch (const std::invalid_argument& error) {
     throw DescriptionError(std::string("these parameters make no machine: ") + error.what());
   } catch (const sc_core::sc_report& report) {

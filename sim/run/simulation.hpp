@@ -6,6 +6,7 @@
 #include "models/picture.hpp"
 #include "sim/description/machine.hpp"
 #include "sim/description/scene.hpp"
+#include "sim/record/recorded_frame.hpp"
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
 
@@ -14,6 +15,7 @@ namespace maquette::sim {
 /// What to simulate besides scene and machine.
 struct SimulationRequest {
   int threads = 1;                                ///< of the host, for synthesis
+  const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
 };

@@ -26,6 +26,7 @@ std::uint32_t random_count(std::mt19937& random) {
 
 SynthesizedPixel random_pixel(std::mt19937& random) {
   SynthesizedPixel pixel{};
+  pixel.depth = static_cast<std::uint16_t>(random_count(random));
   pixel.rgb = static_cast<std::uint32_t>(random()) & k_white;
   for (std::uint16_t* count :
        {&pixel.rays.primary, &pixel.rays.reflected, &pixel.rays.refracted, &pixel.rays.shadow}) {
@@ -42,10 +43,10 @@ RecordedFrame random_frame(std::mt19937& random) {
   const auto number = [&random](int end) { return static_cast<int>(random() % unsigned(end)); };
   frame.key = {std::string(40, 'a'), std::string(40, 'b'), {1 + number(60), 1 + number(40)}};
   auto& zone = frame.useful_zone;
-  zone.width = number(frame.key.size.width + 1);
-  zone.height = zone.width == 0 ? 0 : 1 + number(frame.key.size.height);
-  zone.column0 = zone.width == 0 ? 0 : number(frame.key.size.width - zone.width + 1);
-  zone.row0 = zone.width == 0 ? 0 : number(frame.key.size.height - zone.height + 1);
+  zone.width = number(frame.key.format.width + 1);
+  zone.height = zone.width == 0 ? 0 : 1 + number(frame.key.format.height);
+  zone.column0 = zone.width == 0 ? 0 : number(frame.key.format.width - zone.width + 1);
+  zone.row0 = zone.width == 0 ? 0 : number(frame.key.format.height - zone.height + 1);
   for (std::uint32_t& count : frame.preprocessing.counts) {
     count = random_count(random);
   }
@@ -60,7 +61,7 @@ RecordedFrame random_frame(std::mt19937& random) {
 }
 
 bool are_equal(const SynthesizedPixel& a, const SynthesizedPixel& b) {
-  return a.column == b.column && a.row == b.row && a.rgb == b.rgb &&
+  return a.column == b.column && a.row == b.row && a.depth == b.depth && a.rgb == b.rgb &&
          std::memcmp(&a.rays, &b.rays, sizeof a.rays) == 0 &&
          std::memcmp(&a.work, &b.work, sizeof a.work) == 0;
 }
@@ -87,6 +88,14 @@ TEST_CASE("a record comes back from its file as it was, with the same bytes each
   }
 }
 
+TEST_CASE("a record holds no clock") {
+  std::mt19937 random(33);
+  const std::string bytes = encode_record(random_frame(random));
+  const std::string date("capDate\0string\0", 15);
+  const std::size_t at = bytes.find(date);
+  REQUIRE((at == std::string::npos || bytes.substr(at + date.size(), 4) == std::string(4, '\0')));
+}
+
 TEST_CASE("every colour survives, and a useful zone may be empty or the whole screen") {
   RecordedFrame frame;
   frame.key = {std::string(40, 'a'), std::string(40, 'b'), {256, 1}};
@@ -94,7 +103,7 @@ TEST_CASE("every colour survives, and a useful zone may be empty or the whole sc
   frame.useful_zone = {0, 0, 256, 1};
   for (std::uint32_t code = 0; code < 256; ++code) {
     frame.pixels.push_back(
-        {static_cast<std::uint16_t>(code), 0, code << 16 | (255 - code) << 8 | code, {}, {}});
+        {static_cast<std::uint16_t>(code), 0, 0, code << 16 | (255 - code) << 8 | code, {}, {}});
   }
   REQUIRE(are_equal(decode_record(encode_record(frame), "file.exr"), frame));
 }
@@ -126,9 +135,12 @@ TEST_CASE("a record of another scene, size or firmware is refused by name") {
   REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
                       Contains("file.exr: a record of another scene"));
   other = key;
-  other.size.height = 576;
+  other.format.height = 576;
   REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
                       Contains("768 x 576") && Contains("allowed: one of 768 x 575"));
+  other = key;
+  other.format.has_depth = true;
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("a record with depths"));
   other = key;
   other.firmware[0] = 'c';
   REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("firmware c"));

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "models/allotment.hpp"
+#include "models/pixel_source.hpp"
+#include "sim/description/machine.hpp"
+#include "sim/record/recorded_frame.hpp"
+
+namespace maquette::sim {
+
+/// Pixels of a frame that was recorded before, for any machine whose picture has its format.
+class RecordedSource : public models::PixelSource {
+ public:
+  /// `record` is kept by reference.
+  RecordedSource(const RecordedFrame& record, const Machine& machine);
+
+  models::SynthesizedPixel pixel(std::int64_t index) override;
+  [[nodiscard]] firmware::Work preprocessing() const override { return record_.preprocessing; }
+
+ private:
+  const RecordedFrame& record_;
+  models::PixelAllotment allotment_;
+};
+
+}  // namespace maquette::sim
