@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <tlm>
 #include <vector>
@@ -12,8 +13,10 @@ namespace maquette::models {
 /// without it is a burst without gaps, released after each access. It belongs to the master.
 struct BusTransaction : tlm::tlm_extension<BusTransaction> {
   // What the master asks.
-  Duration gap{};           ///< from the end of one access to the request of the next
-  bool block = false;       ///< the bus is kept from the first access to the last
+  Duration gap{};                  ///< from the end of one access to the request of the next
+  std::int64_t longer_gaps = 0;    ///< so many of the first gaps last a tick longer
+  std::int64_t item_accesses = 1;  ///< only items of so many accesses have gaps between them
+  bool block = false;              ///< the bus is kept from the first access to the last
   bool runs_ahead = false;  ///< promise: the master posts its next transaction, or retires, in the
                             ///< kernel instant in which this one ends (the bus saves a wake-up)
   bool test_and_set = false;  ///< of a burst that reads: each access is a read-modify-write cycle,
@@ -28,6 +31,20 @@ struct BusTransaction : tlm::tlm_extension<BusTransaction> {
   Duration longest_wait{};           ///< of one access
   Instant longest_wait_request{};    ///< when that access was requested
   std::uint64_t failed_address = 0;  ///< of the access that ended in a bus error, if one did
+
+  /// From the access that has just ended to the next one.
+  [[nodiscard]] Duration next_gap() const {
+    if (item_accesses > 1 && accesses % item_accesses != 0) {
+      return Duration::zero();
+    }
+    return accesses / item_accesses <= longer_gaps ? gap + k_tick : gap;
+  }
+
+  /// All gaps between the accesses so far, which are whole items.
+  [[nodiscard]] Duration gaps() const {
+    const std::int64_t count = accesses / item_accesses - 1;
+    return gap * count + k_tick * std::min(count, longer_gaps);
+  }
 
   [[nodiscard]] tlm_extension_base* clone() const override { return new BusTransaction(*this); }
   void copy_from(const tlm_extension_base& other) override {

@@ -10,6 +10,7 @@ namespace maquette::models {
 
 namespace {
 
+constexpr std::size_t k_long_bytes = 4;
 constexpr std::uint64_t k_least_block = 0x40000;
 constexpr std::uint64_t k_least_frame_base = 0x800000;
 
@@ -27,6 +28,11 @@ std::uint64_t ram_block(const Kvm02Parameters& board) {
   return block;
 }
 
+bool shares_something(const MachineParameters& parameters) {
+  return parameters.allotment.assignment == Assignment::on_demand ||
+         parameters.board.database == DatabasePlace::shared;
+}
+
 void check(const MachineParameters& parameters, const FrameSetup& setup) {
   const PixelRectangle& zone = setup.useful_zone;
   if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
@@ -36,6 +42,9 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
   }
   if (!setup.images.empty() && setup.images.size() != parameters.boards.size()) {
     throw std::invalid_argument("there must be one image per board");
+  }
+  if ((parameters.board.database == DatabasePlace::shared) == setup.shared_database.empty()) {
+    throw std::invalid_argument("a shared database must be given, and only when it is shared");
   }
   for (const auto& image : setup.images) {
     if (image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
@@ -63,15 +72,19 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
                           PixelFormat(parameters.frame_memory)};
   bus_.attach_slave(frame_memory_.bus_port,
                     {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
-  const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block};
+  const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block,
+                            static_cast<std::int64_t>(setup.shared_database.size())};
 
   std::vector<LoadImage> images;
-  if (parameters.allotment.assignment == Assignment::on_demand) {
-    shared_memory_.emplace("shared_memory", parameters.shared_memory, SharedWindow::k_header_bytes);
+  if (shares_something(parameters)) {
+    std::vector<unsigned char> content(SharedWindow::k_header_bytes);
+    content.insert(content.end(), setup.shared_database.begin(), setup.shared_database.end());
+    content.resize((content.size() + k_long_bytes - 1) / k_long_bytes * k_long_bytes);
+    shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size());
     bus_.attach_slave(shared_memory_->bus_port,
                       {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
     if (!setup.images.empty()) {
-      images.push_back({shared.base, std::vector<unsigned char>(shared_memory_->size_bytes())});
+      images.push_back({shared.base, std::move(content)});
     }
   }
   BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};

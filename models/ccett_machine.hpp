@@ -24,6 +24,7 @@ struct FrameSetup {
   PixelRectangle useful_zone;    ///< every pixel of it is written once, no other is
   std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
   std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
+  std::vector<unsigned char> shared_database;      ///< when boards have no copies
   bool keep_log = false;                           ///< of the writes, for pictures at an instant
 };
 

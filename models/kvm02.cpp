@@ -72,6 +72,11 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
   ram_port.register_transport_dbg(this, &Kvm02::debug_ram);
   pixels_.transaction.gap = clock_.times(parameters.word_gap_clocks);
   pixels_.transaction.block = parameters.release == ReleasePolicy::block;
+  if (parameters.database == DatabasePlace::shared) {
+    cache_.emplace(parameters.database_cache_bytes, site.shared.database_bytes);
+    database_.transaction.item_accesses =
+        static_cast<std::int64_t>(k_long_bytes / site.bus.word_bytes());
+  }
   SC_HAS_PROCESS(Kvm02);
   SC_THREAD(run);
   set_stack_size(k_stack_bytes);
@@ -83,8 +88,8 @@ void Kvm02::run() {
   sc_core::wait(start_);
   started_ = true;
   started_at_ = accounted_ = kernel_now();
-  statistics_.preprocessing = cost_.duration(source_.preprocessing());
-  computing_ = statistics_.preprocessing;
+  compute(source_.preprocessing());
+  statistics_.preprocessing = own_time() - started_at_;
   for (auto unit = first_unit(); unit < share_.allotment.units(); unit = unit_after(unit)) {
     take_unit(unit);
   }
@@ -108,7 +113,7 @@ void Kvm02::take(const SynthesizedPixel& pixel) {
   if (!pixels_.bytes.empty() && pixel.row != row_) {
     write_pixels();
   }
-  computing_ += cost_.duration(pixel.work);
+  compute(pixel.work);
   ++statistics_.pixels;
   statistics_.work.add(pixel.work);
   statistics_.work.add(pixel.rays);
@@ -147,6 +152,48 @@ void Kvm02::finish() {
   computing_ = Duration::zero();
   accounted_ = kernel_now();
   statistics_.finished = accounted_;
+}
+
+// ---- a shared database ----
+
+void Kvm02::compute(const firmware::Work& work) {
+  if (!cache_) {
+    computing_ += cost_.duration(work);
+    return;
+  }
+  const std::int64_t loads = cache_->misses(work[firmware::Operation::load]);
+  const Duration time = cost_.duration(work, loads);
+  if (loads == 0) {
+    computing_ += time;
+  } else {
+    read_database(time, loads);
+  }
+}
+
+// One burst for all loads, whose gaps the bus keeps: the time is cut into one part before each load
+// and one after the last; the first parts are a tick longer where it does not divide.
+void Kvm02::read_database(Duration computing, std::int64_t loads) {
+  const Duration part = computing / (loads + 1);
+  const std::int64_t longer = (computing % (loads + 1)).count();
+  BusTransaction& transaction = database_.transaction;
+  transaction.gap = part;
+  transaction.longer_gaps = std::max<std::int64_t>(longer - 1, 0);
+  transaction.addresses.clear();
+  const auto end = static_cast<std::uint64_t>(site_.shared.database_bytes);
+  const unsigned word = site_.bus.word_bytes();
+  for (std::int64_t load = 0; load < loads; ++load) {
+    for (unsigned byte = 0; byte < k_long_bytes; byte += word) {
+      transaction.addresses.push_back(site_.shared.database() + database_offset_);
+      database_offset_ += word;
+      database_offset_ = database_offset_ < end ? database_offset_ : 0;
+    }
+  }
+  database_.bytes.resize(transaction.addresses.size() * word);
+  database_.aim(transaction.addresses.front());
+  computing_ += part + (longer > 0 ? k_tick : Duration::zero());
+  transact(database_);
+  statistics_.database_words += transaction.accesses;
+  computing_ = part;
 }
 
 // ---- units on demand ----
@@ -211,7 +258,7 @@ void Kvm02::transact(BusBurst& burst) {
   sc_core::sc_time delay = to_sc_time(computing_);
   bus_master->b_transport(burst.payload, delay);
   require_answer(burst.payload, transaction, name());
-  statistics_.compute += computing_ + transaction.gap * (transaction.accesses - 1);
+  statistics_.compute += computing_ + transaction.gaps();
   statistics_.wait_grant += transaction.waited;
   statistics_.transfer += transaction.transferred;
   statistics_.words += transaction.accesses;

@@ -10,6 +10,7 @@
 
 #include "models/allotment.hpp"
 #include "models/bus_burst.hpp"
+#include "models/database_cache.hpp"
 #include "models/instant.hpp"
 #include "models/machine_parameters.hpp"
 #include "models/pixel_format.hpp"
@@ -59,16 +60,20 @@ struct BoardStatistics {
   std::optional<Instant> finished;  ///< end of its last work, when it has ended
   std::int64_t pixels = 0;
   std::int64_t words = 0;
-  Duration claiming{};            ///< of the states: for units, from the first try to the last step
-  std::int64_t claims = 0;        ///< the last one of a board finds no unit left
-  std::int64_t failed_tries = 0;  ///< test-and-set cycles that found the lock taken
-  WorkTotals work;                ///< of its pixels
+  Duration claiming{};      ///< of the states: for units, from the first try to the last step
+  std::int64_t claims = 0;  ///< the last one of a board finds no unit left
+  std::int64_t database_words = 0;  ///< of `words`: read from a shared database
+  std::int64_t failed_tries = 0;    ///< test-and-set cycles that found the lock taken
+  WorkTotals work;                  ///< of its pixels
 };
 
 /// A KVM02 board (M68KVM02): a processor that spends the time of its work and writes its pixels as
 /// a bus master, and 128 KiB of RAM with a second port on the bus.
 ///
 /// It runs ahead of the kernel on its private memory: the kernel sees only its bus transactions.
+/// A shared database is read as often as the work says, spread evenly over the time of the work.
+/// Assumption: the reads go through the database in order, since only their number matters.
+///
 /// Assumption: nobody uses the second port while the board computes, so the two do not conflict.
 class Kvm02 : public sc_core::sc_module {
  public:
@@ -107,6 +112,8 @@ class Kvm02 : public sc_core::sc_module {
   [[nodiscard]] std::uint32_t read_shared(std::uint64_t address);
   void write_shared(std::uint64_t address, std::uint32_t value);
 
+  void compute(const firmware::Work& work);
+  void read_database(Duration computing, std::int64_t loads);
   void compute(Clocks clocks);
   void transact(BusBurst& burst);
   [[nodiscard]] Instant own_time() const;
@@ -123,11 +130,14 @@ class Kvm02 : public sc_core::sc_module {
   const sc_core::sc_event& start_;
   int master_;
   std::vector<unsigned char> ram_;
+  std::optional<DatabaseCache> cache_;  // of a shared database
+  std::uint64_t database_offset_ = 0;   // of the next read
 
   Instant accounted_{};   // up to here the states are known
   Duration computing_{};  // since then, before the next request
   int row_ = 0;           // of the pixels that wait to be written
   BusBurst pixels_{tlm::TLM_WRITE_COMMAND};
+  BusBurst database_{tlm::TLM_READ_COMMAND};
   BusBurst shared_read_{tlm::TLM_READ_COMMAND};
   BusBurst shared_write_{tlm::TLM_WRITE_COMMAND};
   bool started_ = false;

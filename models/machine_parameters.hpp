@@ -17,6 +17,9 @@ enum class ReleasePolicy { each_access, block };
 /// When a board writes its pixels: each as soon as it is known, or a line of its pixels together.
 enum class PixelWrite { pixel, line };
 
+/// Where boards read the scene: in their RAM, or over the bus in a memory that they share.
+enum class DatabasePlace { own_copy, shared };
+
 /// The units in which the boards take the pixels of the useful zone, and their order.
 enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles };
 
@@ -53,6 +56,10 @@ struct Kvm02Parameters {
   Duration dual_port_access{625'000};   ///< of its own RAM, seen from the bus
   ReleasePolicy release = ReleasePolicy::each_access;
   PixelWrite pixel_write = PixelWrite::pixel;
+  DatabasePlace database = DatabasePlace::own_copy;
+  std::int64_t database_cache_bytes = 0;  ///< of a shared database
+  /// The part of a load that reads the datum, which a bus access replaces: two words of MOVE.L.
+  OperationCost database_read{8, 2, 0};
 };
 
 /// The frame memory: geometry, planes, access from the bus.

@@ -18,12 +18,16 @@ struct SharedWindow {
   static constexpr unsigned char k_taken = 0x80;  ///< bit of the lock's byte
 
   std::uint64_t base = 0;
+  std::int64_t database_bytes = 0;  ///< behind the header; zero when boards have copies
 
   /// Of the counter's lock: free while the top bit of its first byte is clear.
   [[nodiscard]] std::uint64_t lock() const { return base + k_lock_offset; }
 
   /// Of the number of the first unit that nobody has claimed, 32 bits.
   [[nodiscard]] std::uint64_t next_unit() const { return base + k_next_unit_offset; }
+
+  /// Of the database's first byte.
+  [[nodiscard]] std::uint64_t database() const { return base + k_header_bytes; }
 };
 
 /// A memory board on the bus, such as the M68KVM10 and 11 (VM02 data sheet p. 2-65).

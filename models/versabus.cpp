@@ -326,7 +326,7 @@ void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
     complete(id, end, status);
   } else {
     holder_ = transaction.block ? id : k_nobody;
-    enter(id, end + transaction.gap);
+    enter(id, end + transaction.next_gap());
   }
 }
 

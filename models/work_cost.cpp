@@ -42,7 +42,9 @@ Period elapsed_per_processor_ps(const Kvm02Parameters& board) {
 }  // namespace
 
 WorkCost::WorkCost(const Kvm02Parameters& board)
-    : milliclock_(milliclock(board)), elapsed_per_processor_ps_(elapsed_per_processor_ps(board)) {
+    : datum_milliclocks_(std::llround(clocks_with_waits(board.database_read, board) * k_milli)),
+      milliclock_(milliclock(board)),
+      elapsed_per_processor_ps_(elapsed_per_processor_ps(board)) {
   const double call = clocks_with_waits(board.call_overhead, board);
   for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
     const double clocks = clocks_with_waits(board.arithmetic.operations[operation], board) +
@@ -53,10 +55,14 @@ WorkCost::WorkCost(const Kvm02Parameters& board)
     }
     milliclocks_[operation] = std::llround(clocks * k_milli);
   }
+  if (board.database == DatabasePlace::shared &&
+      milliclocks(firmware::Operation::load) < datum_milliclocks_) {
+    throw std::invalid_argument("board.database_read must not cost more than a load");
+  }
 }
 
-Duration WorkCost::duration(const firmware::Work& work) const {
-  std::int64_t milliclocks = 0;
+Duration WorkCost::duration(const firmware::Work& work, std::int64_t bus_loads) const {
+  std::int64_t milliclocks = -datum_milliclocks_ * bus_loads;
   for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
     milliclocks += milliclocks_[operation] * work.counts[operation];
   }

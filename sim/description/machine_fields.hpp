@@ -83,6 +83,24 @@ void declare_board_areas(Visitor& visitor, Machine& machine) {
                 machine.allow_memory_overflow, FlagType{});
 }
 
+/// Where the board reads the scene.
+template <class Visitor>
+void declare_board_database(Visitor& visitor, models::Kvm02Parameters& board) {
+  visitor.field({"database", "a copy of the scene in each board's RAM, or one in shared_memory",
+                 "CCETT paper, section V.2.3.3: duplicated [R]"},
+                board.database,
+                ChoiceType<models::DatabasePlace>{{{"own_copy", models::DatabasePlace::own_copy},
+                                                   {"shared", models::DatabasePlace::shared}}});
+  visitor.field({"database_cache", "of a shared database, besides RAM; hits cost what RAM costs",
+                 "none on the KVM02, VM02 data sheet p. 2-51 [R]"},
+                board.database_cache_bytes, k_memory);
+  visitor.group(
+      {"database_read", "the datum's part of a load, which a shared database replaces"}, [&] {
+        declare_cost(visitor, board.database_read,
+                     "MC68000 instruction times: two bus cycles of MOVE.L d16(An),Dn [R]", false);
+      });
+}
+
 template <class Visitor>
 void declare_board(Visitor& visitor, Machine& machine) {
   models::Kvm02Parameters& board = machine.parameters.board;
@@ -97,6 +115,7 @@ void declare_board(Visitor& visitor, Machine& machine) {
   visitor.group(required("arithmetic", "cost of every operation"),
                 [&] { declare_arithmetic(visitor, machine); });
   declare_board_bus(visitor, board);
+  declare_board_database(visitor, board);
   declare_board_areas(visitor, machine);
 }
 

@@ -221,6 +221,7 @@ struct QueueStatistics {
 
 struct BusStatistics {
   std::int64_t transfers = 0;
+  std::int64_t database_words = 0;
   models::Duration busy{};
   double utilisation = 0;
   models::Duration wait_mean{};
@@ -235,6 +236,8 @@ struct BusStatistics {
     using Self = BusStatistics;
     return std::make_tuple(
         field("transfers", "accesses", "by all masters during the frame", &Self::transfers),
+        field("database_words", "accesses", "of these: reads of a shared database",
+              &Self::database_words),
         field("busy_s", "s", "the bus has a master", &Self::busy),
         field("utilisation", "1", "busy time over frame time", &Self::utilisation),
         field("wait_mean_s", "s", "from request to grant, mean to the nearest picosecond",

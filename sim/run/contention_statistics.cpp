@@ -111,6 +111,7 @@ BusStatistics contention_statistics(const models::MachineStatistics& model) {
   for (std::size_t i = 0; i < model.boards.size(); ++i) {
     const models::BoardStatistics& board = model.boards[i];
     bus.transfers += board.words;
+    bus.database_words += board.database_words;
     bus.busy += board.transfer;
     waited += board.wait_grant;
     bus.wait_max = std::max(bus.wait_max, board.longest_wait);

@@ -22,12 +22,17 @@ namespace {
 /// Between two looks at the host: progress, interruption.
 constexpr models::Duration k_slice = std::chrono::seconds(1);
 
-/// What the host writes into every board: the database, and code of the right size. The code's
-/// bytes stay zero, because the native firmware runs in its place.
-std::vector<unsigned char> image_of(const PackedScene<float>& packed, const MemoryMap& map) {
+/// Gives the host what it writes: the database into every board or where they share it, and code of
+/// the right size. The code's bytes stay zero, because the native firmware runs in its place.
+void set_images(const PackedScene<float>& packed, const Machine& machine, const MemoryMap& map,
+                models::FrameSetup& setup) {
   std::vector<unsigned char> image = database_image(packed.database());
+  if (machine.parameters.board.database == models::DatabasePlace::shared) {
+    setup.shared_database = std::move(image);
+    image = {};
+  }
   image.resize(static_cast<std::size_t>(map.loaded_bytes));
-  return image;
+  setup.images.assign(machine.parameters.boards.size(), image);
 }
 
 /// Where a run's pixels come from.
@@ -134,7 +139,7 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   models::FrameSetup setup;
   setup.useful_zone = pixels.zone;
   setup.background = firmware::rgb_of(packed.header.background);
-  setup.images.assign(machine.parameters.boards.size(), image_of(packed, map));
+  set_images(packed, machine, map, setup);
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
     return simulate_prepared(with_room(machine, map), request, *pixels.source, setup, go_on);

@@ -35,7 +35,8 @@ MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_heigh
   const BoardCode code = board_code_of(database.needs);
   MemoryMap map;
   map.ram_bytes = machine.parameters.board.ram_bytes;
-  map.database_bytes = firmware::database_bytes(database);
+  const bool has_copy = machine.parameters.board.database == models::DatabasePlace::own_copy;
+  map.database_bytes = has_copy ? firmware::database_bytes(database) : 0;
   map.left_out_bytes = code.left_out_bytes;
   map.crossings_needed = crossing_needs_of(database).space;
   map.rays_needed = firmware::pending_rays_needed(database.ray_depth, database.needs.transparency);

@@ -21,8 +21,8 @@ struct MemoryMap {
   std::vector<MemoryUse> uses;  ///< from the bottom of RAM up
   std::int64_t used_bytes = 0;
   std::int64_t ram_bytes = 0;
-  std::int64_t loaded_bytes = 0;  ///< of these, what the host loads: code and database
-  std::int64_t database_bytes = 0;
+  std::int64_t loaded_bytes = 0;    ///< of these, what the host loads: code and database
+  std::int64_t database_bytes = 0;  ///< of these; none of a shared database
   std::int64_t left_out_bytes = 0;  ///< of code that the scene does not need
   std::int64_t crossings_needed = 0;
   std::int64_t rays_needed = 0;
