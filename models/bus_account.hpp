@@ -8,7 +8,7 @@
 
 namespace maquette::models {
 
-/// One access, as an observer sees it.
+/// One access, as an observer sees it. The strobes fall at the grant and rise at the end.
 struct BusAccess {
   int master;
   std::uint64_t address;
@@ -16,6 +16,13 @@ struct BusAccess {
   Instant request;
   Instant grant;
   Instant end;
+  Instant decision{};         ///< its arbitration begins; the grant itself when it needed none
+  Duration slave_time{};      ///< from the grant to the slave's acknowledge; the timeout's, if none
+  bool answered = true;       ///< false: it ended in a bus error
+  bool kept = false;          ///< until the decision, the master of the access before kept the bus
+  bool test_and_set = false;  ///< it reads, and then writes in the same cycle
+  std::uint32_t data =
+      0;  ///< written, or read: first byte in the highest place, as the 68000 has it
 };
 
 /// Keeps the statistics of a bus while it decides one access after the other.

@@ -64,6 +64,9 @@ class CcettMachine : public sc_core::sc_module {
   /// all. Throws std::logic_error that names the first pixel that breaks it.
   void verify_frame() const;
 
+  /// When the boards started, if the host has loaded them: the frame's instant 0.
+  [[nodiscard]] std::optional<Instant> started() const { return host_->statistics().finished; }
+
   /// When the last board was done, if all are.
   [[nodiscard]] std::optional<Instant> finished() const;
 

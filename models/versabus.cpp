@@ -86,6 +86,11 @@ const std::string& VersaBus::master_name(int master) const {
   return masters_[static_cast<std::size_t>(master)]->description.name;
 }
 
+std::optional<Instant> VersaBus::standing_request(int master) const {
+  const Master& one = at(master);
+  return one.state == State::requesting ? std::optional(one.request) : std::nullopt;
+}
+
 // ---- masters come and go ----
 
 void VersaBus::b_transport(int id, tlm::tlm_generic_payload& burst, sc_core::sc_time& delay) {
@@ -211,11 +216,12 @@ void VersaBus::decide(Instant instant) {
   }
   last_decision_ = instant;
   account_.decide(instant, requests_.up_to(instant));
-  if (holder_ != k_nobody) {
+  const bool kept = holder_ != k_nobody;
+  if (kept) {
     account_.keep(holder_, instant - free_at_);
     account_.occupy(holder_, free_at_, instant, requests_.up_to(instant));
     if (earliest_clear_request() > instant) {
-      transfer(holder_, instant, instant);
+      transfer(holder_, instant, instant, kept);
       return;
     }
     holder_ = k_nobody;
@@ -223,7 +229,7 @@ void VersaBus::decide(Instant instant) {
   }
   const int winner = choose(policy_, requests_.up_to(instant), previous_);
   const bool handover = previous_ != k_nobody && previous_ != winner;
-  transfer(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_));
+  transfer(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_), kept);
 }
 
 // ---- one access ----
@@ -235,14 +241,24 @@ std::uint64_t VersaBus::next_address(const Master& master) const {
                                        : transaction.addresses[index];
 }
 
-void VersaBus::transfer(int id, Instant decision, Instant grant) {
+void VersaBus::transfer(int id, Instant decision, Instant grant, bool kept) {
   Master& master = at(id);
   const std::uint64_t address = next_address(master);
-  const AccessResult result = master.transaction->test_and_set
-                                  ? test_and_set(master, address, grant)
-                                  : access_slave(master, address, grant);
-  const BusAccess access{
-      id, address, master.burst->is_write(), master.request, grant, grant + result.duration};
+  const bool test_and_sets = master.transaction->test_and_set;
+  const AccessResult result =
+      test_and_sets ? test_and_set(master, address, grant) : access_slave(master, address, grant);
+  const BusAccess access{id,
+                         address,
+                         master.burst->is_write(),
+                         master.request,
+                         grant,
+                         grant + result.duration,
+                         decision,
+                         result.slave_time,
+                         result.status == tlm::TLM_OK_RESPONSE,
+                         kept,
+                         test_and_sets,
+                         word_of(master)};
   if (access.request > decision || decision > grant || grant >= access.end) {
     fail("an access of master " + master.description.name + " runs backwards");
   }
@@ -256,6 +272,16 @@ void VersaBus::transfer(int id, Instant decision, Instant grant) {
   free_at_ = access.end;
   previous_ = id;
   finish_access(id, address, access.end, result.status);
+}
+
+std::uint32_t VersaBus::word_of(const Master& master) const {
+  const unsigned char* byte = master.burst->get_data_ptr() +
+                              static_cast<std::size_t>(master.transaction->accesses) * word_bytes_;
+  std::uint32_t word = 0;
+  for (unsigned i = 0; i < word_bytes_; ++i) {
+    word = word << static_cast<unsigned>(k_bits_per_byte) | *byte++;
+  }
+  return word;
 }
 
 void VersaBus::answer(BusTransaction& transaction, const BusAccess& access) {
@@ -274,7 +300,7 @@ VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t addr
       timeout_ > Duration::zero() ? timeout_ : master.description.access.duration({});
   const int slave = address_map_.find(address);
   if (slave == AddressMap::k_unmapped) {
-    return {unanswered, tlm::TLM_ADDRESS_ERROR_RESPONSE};
+    return {unanswered, unanswered, tlm::TLM_ADDRESS_ERROR_RESPONSE};
   }
   tlm::tlm_generic_payload& access = master.access;
   access.set_address(address - address_map_[slave].base);
@@ -288,9 +314,9 @@ VersaBus::AccessResult VersaBus::access_slave(Master& master, std::uint64_t addr
   slave_sockets_[slave]->b_transport(access, delay);
   const Duration slave_time = to_duration(delay) - offset;
   if (timeout_ > Duration::zero() && slave_time > timeout_) {
-    return {timeout_, tlm::TLM_GENERIC_ERROR_RESPONSE};
+    return {timeout_, timeout_, tlm::TLM_GENERIC_ERROR_RESPONSE};
   }
-  return {master.description.access.duration(slave_time), access.get_response_status()};
+  return {master.description.access.duration(slave_time), slave_time, access.get_response_status()};
 }
 
 VersaBus::AccessResult VersaBus::test_and_set(Master& master, std::uint64_t address,
@@ -309,7 +335,9 @@ VersaBus::AccessResult VersaBus::test_and_set(Master& master, std::uint64_t addr
   master.access.set_command(tlm::TLM_WRITE_COMMAND);
   const AccessResult write = access_slave(master, address, strobe + until_write);
   first_byte = value;
-  return {until_write + write.duration, write.status};
+  const bool is_written = write.status == tlm::TLM_OK_RESPONSE;
+  return {until_write + write.duration,
+          is_written ? read.slave_time : until_write + write.slave_time, write.status};
 }
 
 void VersaBus::finish_access(int id, std::uint64_t address, Instant end,

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <systemc>
 #include <tlm>
@@ -77,6 +78,12 @@ class VersaBus : public sc_core::sc_module {
   [[nodiscard]] BusStatistics statistics() const { return account_.statistics(); }
   [[nodiscard]] const AddressMap& address_map() const { return address_map_; }
   [[nodiscard]] const std::string& master_name(int master) const;
+  [[nodiscard]] const BusMasterPlace& master_place(int master) const {
+    return at(master).description.place;
+  }
+
+  /// When the request began, or will begin, that the master waits with; nothing while it computes.
+  [[nodiscard]] std::optional<Instant> standing_request(int master) const;
   [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
 
  private:
@@ -101,6 +108,7 @@ class VersaBus : public sc_core::sc_module {
 
   struct AccessResult {
     Duration duration;
+    Duration slave_time;  // to the first acknowledge
     tlm::tlm_response_status status;
   };
 
@@ -114,9 +122,10 @@ class VersaBus : public sc_core::sc_module {
   [[nodiscard]] Instant next_decision() const;
   [[nodiscard]] Instant earliest_clear_request() const;
   void decide(Instant instant);
-  void transfer(int id, Instant decision, Instant grant);
+  void transfer(int id, Instant decision, Instant grant, bool kept);
   AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
   AccessResult test_and_set(Master& master, std::uint64_t address, Instant strobe);
+  [[nodiscard]] std::uint32_t word_of(const Master& master) const;
   static void answer(BusTransaction& transaction, const BusAccess& access);
   void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
   void complete(int id, Instant end, tlm::tlm_response_status status);

@@ -22,6 +22,8 @@
 #include "sim/run/interruption.hpp"
 #include "sim/run/record_store.hpp"
 #include "sim/run/simulation.hpp"
+#include "sim/trace/trace_files.hpp"
+#include "sim/trace/trace_request.hpp"
 
 namespace maquette::sim {
 
@@ -38,6 +40,9 @@ struct RunOptions {
   int threads = 0;
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
+  std::vector<std::string> traces;
+  std::string trace_window;
+  std::string trace_boards;
   bool quiet = false;
 };
 
@@ -71,6 +76,18 @@ void add_options(CLI::App& verb, RunOptions& options) {
       ->type_name("TIME")
       ->expected(1)
       ->take_all();
+  verb.add_option("--trace", options.traces,
+                  "write what happens on the bus: .json for ui.perfetto.dev and chrome://tracing, "
+                  ".vcd for GTKWave (repeatable)")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--trace-window", options.trace_window,
+                  "trace only this part of the frame, e.g. \"1 s..1.01 s\"; either may be left out")
+      ->type_name("T0..T1");
+  verb.add_option("--trace-boards", options.trace_boards,
+                  "give only these boards tracks of their own, e.g. 0,2..3")
+      ->type_name("LIST");
   verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
 }
 
@@ -144,11 +161,17 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   request.threads = options.threads > 0 ? options.threads : processors;
   request.snapshots = instants_of(options.snapshots, "--snapshot");
   request.shown_snapshots = instants_of(options.shown_snapshots, "--snapshot-shown");
+  TraceRequest trace = trace_request(options.traces, options.trace_window, options.trace_boards,
+                                     description.machine.parameters.boards.size());
+  if (!trace.files.empty()) {
+    request.trace = trace.window;
+  }
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
                              : std::filesystem::path(options.outdir);
   create_run_directory(directory);
+  TraceFiles trace_files(std::move(trace));
 
   const std::optional<RecordedFrame> record =
       record_for(options, description, directory, request.threads);
@@ -175,6 +198,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
   files.push_back(
       {"manifest.json", manifest_json(manifest_of(command, description, host_time_s()))});
+  fmt::print(stderr, "{}", trace_files.remarks(result.trace));
+  trace_files.write(result.trace);
   write_files(directory, files);
   if (!options.quiet) {
     fmt::print("{}\n{}\n", summarise(result.statistics, result.clocks, host_time_s()),

@@ -9,6 +9,7 @@
 #include "models/video_reader.hpp"
 #include "models/work_cost.hpp"
 #include "sim/description/description_error.hpp"
+#include "sim/run/bus_recorder.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/recorded_source.hpp"
@@ -103,12 +104,18 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    models::PixelSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
-  const models::CcettMachine model("machine", machine.parameters, source, setup);
+  models::CcettMachine model("machine", machine.parameters, source, setup);
+  SimulationResult result;
+  if (request.trace) {
+    start_record(model, *request.trace, result.trace);
+  }
   run_kernel(model, setup.useful_zone, go_on);
   if (model.finished()) {
     model.verify_frame();
   }
-  SimulationResult result;
+  if (request.trace) {
+    finish_record(model, result.trace);
+  }
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
   result.clocks = clocks_of(result.statistics, machine.parameters.board);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "models/picture.hpp"
@@ -9,6 +10,7 @@
 #include "sim/record/recorded_frame.hpp"
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
+#include "sim/trace/bus_record.hpp"
 
 namespace maquette::sim {
 
@@ -18,6 +20,7 @@ struct SimulationRequest {
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
+  std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
 };
 
 /// Called now and then with the simulated time and the share of pixels done; false ends the run.
@@ -30,6 +33,7 @@ struct SimulationResult {
   models::Picture picture;   ///< the frame memory at the end
   std::vector<models::Picture> snapshots;
   std::vector<models::Picture> shown_snapshots;
+  BusRecord trace;  ///< of the window, when one was asked for
 };
 
 /// Throws DescriptionError when the machine's boards can not hold the scene.

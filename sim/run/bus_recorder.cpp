@@ -1,0 +1,100 @@
+#include "sim/run/bus_recorder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "sim/description/description_error.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+using models::BusAccess;
+using models::Duration;
+using models::Instant;
+
+ShortDuration shortened(Duration duration) {
+  if (duration > ShortDuration::max()) {
+    throw DescriptionError("an access of more than 4 ms does not fit a trace");
+  }
+  return ShortDuration(static_cast<ShortDuration::rep>(duration.count()));
+}
+
+std::uint32_t recorded_address(std::uint64_t address) {
+  if (address > std::numeric_limits<std::uint32_t>::max()) {
+    throw DescriptionError("an address of more than 32 bits does not fit a trace");
+  }
+  return static_cast<std::uint32_t>(address);
+}
+
+RecordedAccess recorded(const BusAccess& access, Instant start) {
+  RecordedAccess result;
+  result.request = access.request - start;
+  result.grant = access.grant - start;
+  result.arbitration = shortened(access.grant - access.decision);
+  result.acknowledge = shortened(access.slave_time);
+  result.duration = shortened(access.end - access.grant);
+  result.address = recorded_address(access.address);
+  result.data = access.data;
+  result.board = static_cast<std::uint16_t>(access.master);
+  result.write = access.write ? 1 : 0;
+  result.flags =
+      static_cast<std::uint8_t>((access.answered ? 0 : RecordedAccess::k_unanswered) |
+                                (access.kept ? RecordedAccess::k_kept : 0) |
+                                (access.test_and_set ? RecordedAccess::k_test_and_set : 0));
+  return result;
+}
+
+/// Whether nothing of an access, nor of the gap before it in which the bus was kept, lies in the
+/// window before its end.
+bool is_beyond(const RecordedAccess& access, const RecordedBus& bus, const TraceWindow& window) {
+  const bool gap_reaches_in =
+      access.is_kept() && !bus.accesses.empty() && bus.accesses.back().end() < window.to;
+  return access.request >= window.to && !gap_reaches_in;
+}
+
+void add(const RecordedAccess& access, const TraceWindow& window, RecordedBus& bus) {
+  if (is_beyond(access, bus, window)) {
+    return;
+  }
+  const bool replaces_one_before =
+      bus.accesses.size() == 1 && bus.accesses.front().end() <= window.from;
+  if (replaces_one_before) {
+    bus.accesses.clear();
+  }
+  bus.accesses.push_back(access);
+}
+
+}  // namespace
+
+void start_record(models::CcettMachine& model, const TraceWindow& window, BusRecord& record) {
+  record.window = window;
+  record.buses.push_back({"versabus", static_cast<int>(8 * model.bus().word_bytes()), {}, {}});
+  model.observe_bus([&model, &record](const BusAccess& access) {
+    if (const auto start = model.started()) {
+      add(recorded(access, *start), record.window, record.buses.front());
+    }
+  });
+}
+
+void finish_record(const models::CcettMachine& model, BusRecord& record) {
+  const models::MachineStatistics statistics = model.statistics();
+  const Instant start = statistics.load_time;
+  record.window.to = std::min(record.window.to, statistics.frame_time);
+  record.window.from = std::min(record.window.from, record.window.to);
+  for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
+    const int master = static_cast<int>(i);
+    RecordedBoard board{fmt::format("board{}", i), model.bus().master_place(master).level, {}};
+    if (const auto finish = statistics.boards[i].finished) {
+      board.finish = *finish - start;
+    }
+    record.boards.push_back(std::move(board));
+    if (const auto request = model.bus().standing_request(master)) {
+      record.buses.front().standing.push_back({i, *request - start});
+    }
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "sim/trace/bus_record.hpp"
+
+namespace maquette::sim {
+
+/// What a board does; a run's statistics have the same four.
+enum class BoardState { compute, wait_grant, transfer, idle };
+
+inline constexpr const char* k_board_state_names[] = {"compute", "wait for grant", "transfer",
+                                                      "idle"};
+
+/// One stay in a state.
+struct StateInterval {
+  BoardState state;
+  models::Instant from;
+  models::Instant to;
+};
+
+/// The states of a board: intervals, none of them empty, which tile the record's window without gap
+/// or overlap. Assumption: a board has one access at a time, on whichever bus.
+std::vector<StateInterval> board_states(const BusRecord& record, std::size_t board);
+
+}  // namespace maquette::sim

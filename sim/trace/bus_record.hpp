@@ -1,0 +1,101 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "models/instant.hpp"
+
+namespace maquette::sim {
+
+/// A part of the frame's time: from <= instant < to, in ticks since the frame's start.
+struct TraceWindow {
+  models::Instant from{};
+  models::Instant to = models::k_never;
+
+  [[nodiscard]] models::Instant clip(models::Instant instant) const {
+    return instant < from ? from : (instant > to ? to : instant);
+  }
+};
+
+/// A span of at most 4 ms.
+using ShortDuration = std::chrono::duration<std::uint32_t, std::pico>;
+
+/// One access to a bus, in 40 bytes. Instants count from the frame's start.
+///
+/// | bytes  | content                                                     |
+/// |--------|-------------------------------------------------------------|
+/// | 0..7   | request                                                     |
+/// | 8..15  | grant: the strobes fall                                     |
+/// | 16..19 | arbitration: how long before the grant it began             |
+/// | 20..23 | acknowledge: how long after the grant the slave answered    |
+/// | 24..27 | duration: how long after the grant the bus was released     |
+/// | 28..31 | address                                                     |
+/// | 32..35 | data                                                        |
+/// | 36..37 | number of the board                                         |
+/// | 38     | write: 1, read: 0                                           |
+/// | 39     | sum of: 1 no answer (bus error), 2 the bus was kept until the arbitration by the
+/// |        | board of the access before, 4 a read-modify-write cycle
+struct RecordedAccess {
+  static constexpr std::uint8_t k_unanswered = 1;
+  static constexpr std::uint8_t k_kept = 2;
+  static constexpr std::uint8_t k_test_and_set = 4;
+
+  models::Instant request{};
+  models::Instant grant{};
+  ShortDuration arbitration{};
+  ShortDuration acknowledge{};
+  ShortDuration duration{};
+  std::uint32_t address = 0;
+  std::uint32_t data = 0;
+  std::uint16_t board = 0;
+  std::uint8_t write = 0;
+  std::uint8_t flags = 0;
+
+  [[nodiscard]] models::Instant decision() const { return grant - arbitration; }
+  [[nodiscard]] models::Instant end() const { return grant + duration; }
+  [[nodiscard]] bool is_answered() const { return (flags & k_unanswered) == 0; }
+  [[nodiscard]] bool is_kept() const { return (flags & k_kept) != 0; }
+  [[nodiscard]] bool is_test_and_set() const { return (flags & k_test_and_set) != 0; }
+};
+static_assert(sizeof(RecordedAccess) == 40);
+
+/// A board that was traced, whether it had accesses or not.
+struct RecordedBoard {
+  std::string name;
+  int level = 0;                          ///< of its requests, 0..4
+  std::optional<models::Instant> finish;  ///< when it had no more pixels, if it came to that
+};
+
+/// A request that was not granted when the run was interrupted.
+struct StandingRequest {
+  std::size_t board;
+  models::Instant request;
+};
+
+/// One backplane: its accesses in the order of their grants, with the last one before the window
+/// and the first one that touches it no more where a kept bus reaches into it.
+struct RecordedBus {
+  std::string name;
+  int data_bits = 16;
+  std::vector<RecordedAccess> accesses;
+  std::vector<StandingRequest> standing;
+};
+
+/// All that happened on the buses of a machine during a window of a frame. Every trace format is
+/// made from it.
+struct BusRecord {
+  TraceWindow window;  ///< ends with the frame at the latest
+  std::vector<RecordedBoard> boards;
+  std::vector<RecordedBus> buses;
+};
+
+/// How long a text is expected to be that says so many bytes about each access, and so many more
+/// about each access that waited for its grant.
+std::int64_t expected_bytes(const BusRecord& record, std::int64_t per_access,
+                            std::int64_t per_wait);
+
+}  // namespace maquette::sim

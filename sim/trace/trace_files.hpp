@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <list>
+#include <string>
+
+#include "sim/report/output_file.hpp"
+#include "sim/trace/trace_request.hpp"
+
+namespace maquette::sim {
+
+/// The trace files of a run, begun before it so that it does not find out at its end that they can
+/// not be written.
+class TraceFiles {
+ public:
+  /// Throws DescriptionError when a file cannot be begun.
+  explicit TraceFiles(TraceRequest request);
+
+  /// What is to be known before the files are written: that they will be large, that the frame was
+  /// over before the window began. Whole lines; empty when there is nothing to say.
+  [[nodiscard]] std::string remarks(const BusRecord& record) const;
+
+  /// Writes and publishes all files. Throws DescriptionError.
+  void write(const BusRecord& record);
+
+ private:
+  TraceRequest request_;
+  std::list<OutputFile> files_;  // in the order of the request
+};
+
+}  // namespace maquette::sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "sim/trace/bus_record.hpp"
+
+namespace maquette::sim {
+
+enum class TraceFormat { chrome_json, vcd };
+
+/// What of a run is to be traced, and where to.
+struct TraceRequest {
+  std::vector<std::string> files;  ///< as given; none: nothing is traced
+  TraceWindow window;
+  std::vector<std::size_t> boards;  ///< whose tracks are written, ascending
+};
+
+/// By the file's extension, .json or .vcd. Throws DescriptionError for another one.
+TraceFormat trace_format(const std::string& file);
+
+/// Checks the texts of a command line: `window` is "T0..T1", times with units from the frame's
+/// start, of which each may be left out; `boards` is a list of numbers and ranges, e.g. "0,2..3",
+/// and empty for all of them. Throws DescriptionError that says what is wrong and what is allowed.
+TraceRequest trace_request(const std::vector<std::string>& files, const std::string& window,
+                           const std::string& boards, std::size_t board_count);
+
+}  // namespace maquette::sim

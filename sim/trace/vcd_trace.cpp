@@ -1,0 +1,310 @@
+#include "sim/trace/vcd_trace.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "sim/trace/board_states.hpp"
+#include "sim/trace/trace_text.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+using models::Instant;
+
+constexpr int k_levels = 5;
+constexpr int k_address_bits = 32;
+constexpr int k_owner_bits = 16;
+constexpr int k_state_bits = 2;
+constexpr std::uint32_t k_minus_one = ~std::uint32_t{0};
+
+constexpr const char* k_header = R"($comment
+  Transaction-level trace of the VERSAbus; time 0 is the frame's start. Names that end in _n are
+  active low. Exact instants: BR (request to grant), BG (begin of the arbitration to grant), BBSY
+  (grant to release), DTACK falling (the slave's answer), and the end of each access. Derived within
+  an access: AS and DS fall together at the grant and rise together with DTACK and WRITE at its end,
+  as the access law counts its clocks; skews of single lines are below this level.
+$end
+$version maquette $end
+$timescale 1 ps $end
+)";
+
+// How a signal's changes make its value.
+enum class Kind {
+  active_low,  ///< a count of those that assert it: 0 above zero
+  vector       ///< the last value set; may float
+};
+
+struct Signal {
+  std::string scope;
+  std::string name;
+  Kind kind;
+  int bits;
+};
+
+// In 16 bytes: a whole frame has some eight million of them.
+struct Change {
+  Instant at;
+  std::uint32_t value;  ///< set; of an active-low signal added, modulo 2^32
+  std::uint16_t signal;
+  bool floats;
+};
+
+constexpr std::uint16_t after(std::uint16_t signal, int places) {
+  return static_cast<std::uint16_t>(signal + places);
+}
+
+// Signals and all their changes, in any order.
+class Dump {
+ public:
+  std::uint16_t add(const std::string& scope, const std::string& name, Kind kind, int bits = 1) {
+    signals.push_back({scope, name, kind, bits});
+    return static_cast<std::uint16_t>(signals.size() - 1);
+  }
+
+  void assert_during(std::uint16_t signal, Instant from, Instant to) {
+    if (from < to) {
+      changes.push_back({from, 1, signal, false});
+      changes.push_back({to, k_minus_one, signal, false});
+    }
+  }
+
+  void set(std::uint16_t signal, Instant at, std::uint32_t value) {
+    changes.push_back({at, value, signal, false});
+  }
+
+  void release(std::uint16_t signal, Instant at) { changes.push_back({at, 0, signal, true}); }
+
+  std::vector<Signal> signals;
+  std::vector<Change> changes;
+};
+
+struct BusSignals {
+  BusSignals(Dump& dump, const RecordedBus& bus)
+      : request(levels(dump, bus.name, "BR")),
+        grant(levels(dump, bus.name, "BG")),
+        busy(dump.add(bus.name, "BBSY_n", Kind::active_low)),
+        address_strobe(dump.add(bus.name, "AS_n", Kind::active_low)),
+        data_strobe(dump.add(bus.name, "DS_n", Kind::active_low)),
+        acknowledge(dump.add(bus.name, "DTACK_n", Kind::active_low)),
+        error(dump.add(bus.name, "BERR_n", Kind::active_low)),
+        write(dump.add(bus.name, "WRITE_n", Kind::vector)),
+        address(dump.add(bus.name, "address", Kind::vector, k_address_bits)),
+        data(dump.add(bus.name, "data", Kind::vector, bus.data_bits)),
+        owner(dump.add(bus.name, "owner", Kind::vector, k_owner_bits)) {}
+
+  // The number of the first of five.
+  static std::uint16_t levels(Dump& dump, const std::string& scope, const char* name) {
+    const auto first = static_cast<std::uint16_t>(dump.signals.size());
+    for (int level = 0; level < k_levels; ++level) {
+      dump.add(scope, fmt::format("{}{}_n", name, level), Kind::active_low);
+    }
+    return first;
+  }
+
+  std::uint16_t request;
+  std::uint16_t grant;
+  std::uint16_t busy;
+  std::uint16_t address_strobe;
+  std::uint16_t data_strobe;
+  std::uint16_t acknowledge;
+  std::uint16_t error;
+  std::uint16_t write;
+  std::uint16_t address;
+  std::uint16_t data;
+  std::uint16_t owner;
+};
+
+void dump_access(Dump& dump, const BusSignals& bus, const RecordedAccess& access, int level) {
+  const Instant end = access.end();
+  dump.assert_during(after(bus.request, level), access.request, access.grant);
+  dump.assert_during(after(bus.grant, level), access.decision(), access.grant);
+  dump.assert_during(bus.busy, access.grant, end);
+  dump.assert_during(bus.address_strobe, access.grant, end);
+  dump.assert_during(bus.data_strobe, access.grant, end);
+  dump.assert_during(access.is_answered() ? bus.acknowledge : bus.error,
+                     access.grant + access.acknowledge, end);
+  dump.set(bus.write, access.grant, access.write != 0 ? 0 : 1);
+  dump.set(bus.address, access.grant, access.address);
+  dump.set(bus.data, access.grant, access.data);
+  dump.set(bus.owner, access.grant, access.board);
+  for (const std::uint16_t lines : {bus.write, bus.address, bus.data, bus.owner}) {
+    dump.release(lines, end);
+  }
+}
+
+void dump_bus(Dump& dump, const BusRecord& record, const RecordedBus& bus) {
+  const BusSignals signals(dump, bus);
+  const auto level = [&record](std::size_t board) { return record.boards[board].level; };
+  const RecordedAccess* before = nullptr;
+  for (const RecordedAccess& access : bus.accesses) {
+    if (access.is_kept() && before != nullptr) {
+      dump.assert_during(signals.busy, before->end(), access.decision());
+      dump.set(signals.owner, before->end(), before->board);
+      dump.release(signals.owner, access.decision());
+    }
+    dump_access(dump, signals, access, level(access.board));
+    before = &access;
+  }
+  for (const StandingRequest& standing : bus.standing) {
+    dump.assert_during(after(signals.request, level(standing.board)), standing.request,
+                       record.window.to);
+  }
+}
+
+void dump_board(Dump& dump, const BusRecord& record, std::size_t board) {
+  const std::string& scope = record.boards[board].name;
+  const std::uint16_t state = dump.add(scope, "state", Kind::vector, k_state_bits);
+  const std::uint16_t request = dump.add(scope, "BR_n", Kind::active_low);
+  for (const StateInterval& interval : board_states(record, board)) {
+    dump.set(state, interval.from, static_cast<std::uint32_t>(interval.state));
+    if (interval.state == BoardState::wait_grant) {
+      dump.assert_during(request, interval.from, interval.to);
+    }
+  }
+}
+
+// A signal's short name in the file: its number with the digits '!' to '~'.
+std::string identifier(std::size_t number) {
+  constexpr std::size_t k_digits = '~' - '!' + 1;
+  std::string text;
+  do {
+    text += static_cast<char>('!' + number % k_digits);
+    number /= k_digits;
+  } while (number > 0);
+  return text;
+}
+
+class VcdTrace {
+ public:
+  VcdTrace(const Dump& dump, std::ostream& stream)
+      : signals_(dump.signals), states_(dump.signals.size()), text_(stream) {}
+
+  void declare() {
+    text_.add("{}", k_header);
+    std::string scope;
+    for (std::size_t i = 0; i < signals_.size(); ++i) {
+      const Signal& signal = signals_[i];
+      if (signal.scope != scope) {
+        text_.add("{}$scope module {} $end\n", scope.empty() ? "" : "$upscope $end\n",
+                  signal.scope);
+        scope = signal.scope;
+      }
+      states_[i].identifier = identifier(i);
+      text_.add("$var wire {} {} {}{} $end\n", signal.bits, states_[i].identifier, signal.name,
+                signal.bits > 1 ? fmt::format(" [{}:0]", signal.bits - 1) : "");
+    }
+    text_.add("{}$enddefinitions $end\n", scope.empty() ? "" : "$upscope $end\n");
+  }
+
+  void apply(const Change& change) {
+    State& state = states_[change.signal];
+    const bool adds = signals_[change.signal].kind == Kind::active_low;
+    state.value = adds ? state.value + change.value : change.value;
+    state.floats = change.floats;
+    if (!state.is_touched) {
+      state.is_touched = true;
+      touched_.push_back(change.signal);
+    }
+  }
+
+  void show_all(Instant at) {
+    text_.add("#{}\n$dumpvars\n", at.count());
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      states_[i].shown = shown_value(i);
+      text_.add("{}", states_[i].shown);
+    }
+    text_.add("$end\n");
+    forget_touched();
+  }
+
+  void show_touched(Instant at) {
+    bool is_stamped = false;
+    std::sort(touched_.begin(), touched_.end());
+    for (const std::uint16_t signal : touched_) {
+      std::string value = shown_value(signal);
+      if (value != states_[signal].shown) {
+        if (!is_stamped) {
+          stamp(at);
+          is_stamped = true;
+        }
+        text_.add("{}", value);
+        states_[signal].shown = std::move(value);
+      }
+    }
+    forget_touched();
+  }
+
+  void stamp(Instant at) { text_.add("#{}\n", at.count()); }
+
+ private:
+  struct State {
+    std::string identifier;
+    std::string shown;
+    std::uint32_t value = 0;
+    bool floats = true;
+    bool is_touched = false;
+  };
+
+  [[nodiscard]] std::string shown_value(std::size_t number) const {
+    const Signal& signal = signals_[number];
+    const State& state = states_[number];
+    if (signal.kind == Kind::active_low) {
+      return fmt::format("{}{}\n", state.value > 0 ? 0 : 1, state.identifier);
+    }
+    const std::string value = state.floats ? "z" : fmt::format("{:b}", state.value);
+    return signal.bits == 1 ? fmt::format("{}{}\n", value, state.identifier)
+                            : fmt::format("b{} {}\n", value, state.identifier);
+  }
+
+  void forget_touched() {
+    for (const std::uint16_t signal : touched_) {
+      states_[signal].is_touched = false;
+    }
+    touched_.clear();
+  }
+
+  const std::vector<Signal>& signals_;
+  std::vector<State> states_;
+  std::vector<std::uint16_t> touched_;
+  TraceText text_;
+};
+
+}  // namespace
+
+void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
+                     std::ostream& stream) {
+  Dump dump;
+  for (const RecordedBus& bus : record.buses) {
+    dump_bus(dump, record, bus);
+  }
+  for (const std::size_t board : boards) {
+    dump_board(dump, record, board);
+  }
+  std::stable_sort(dump.changes.begin(), dump.changes.end(),
+                   [](const Change& a, const Change& b) { return a.at < b.at; });
+
+  VcdTrace trace(dump, stream);
+  trace.declare();
+  auto change = dump.changes.begin();
+  const auto apply_until = [&](auto&& is_later) {
+    for (; change != dump.changes.end() && !is_later(change->at); ++change) {
+      trace.apply(*change);
+    }
+  };
+  apply_until([&](Instant at) { return at > record.window.from; });
+  trace.show_all(record.window.from);
+  while (change != dump.changes.end() && change->at < record.window.to) {
+    const Instant now = change->at;
+    apply_until([now](Instant at) { return at > now; });
+    trace.show_touched(now);
+  }
+  trace.stamp(record.window.to);
+}
+
+// Measured on whole frames.
+std::int64_t expected_vcd_trace_bytes(const BusRecord& record) {
+  return expected_bytes(record, 135, 65);
+}
+
+}  // namespace maquette::sim
