@@ -258,7 +258,7 @@ void VersaBus::transfer(int id, Instant decision, Instant grant, bool kept) {
                          result.status == tlm::TLM_OK_RESPONSE,
                          kept,
                          test_and_sets,
-                         word_of(master)};
+                         observer_ ? word_of(master) : 0};
   if (access.request > decision || decision > grant || grant >= access.end) {
     fail("an access of master " + master.description.name + " runs backwards");
   }
