@@ -59,10 +59,8 @@ void add(const RecordedAccess& access, const TraceWindow& window, RecordedBus& b
   if (is_beyond(access, bus, window)) {
     return;
   }
-  const bool replaces_one_before =
-      bus.accesses.size() == 1 && bus.accesses.front().end() <= window.from;
-  if (replaces_one_before) {
-    bus.accesses.clear();
+  if (access.end() <= window.from) {
+    bus.accesses.clear();  // only the last one before the window matters
   }
   bus.accesses.push_back(access);
 }

@@ -101,6 +101,26 @@ double integral(const std::vector<std::pair<std::int64_t, double>>& values, std:
   return sum;
 }
 
+// Instants at which cutting a trace is hard: edges and middles of the slices of the bus's owner and
+// of two boards' waits.
+std::vector<std::int64_t> cuts_of(const ChromeTraceReader& reader, int level) {
+  std::vector<Slice> slices = reader.slices("versabus", "owner");
+  for (std::size_t board = 0; board < 2; ++board) {
+    for (const Slice& slice : board_slices(reader, board, level)) {
+      if (slice.name == k_states[1]) {
+        slices.push_back(slice);
+      }
+    }
+  }
+  std::vector<std::int64_t> cuts;
+  for (const Slice& slice : slices) {
+    cuts.insert(cuts.end(), {slice.from, slice.from + (slice.to - slice.from) / 2, slice.to});
+  }
+  std::sort(cuts.begin(), cuts.end());
+  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
+  return cuts;
+}
+
 int level_of(const std::string& machine) {
   return machine.find("request_level=2") != std::string::npos ? 2 : 0;
 }
@@ -248,12 +268,12 @@ TEST_CASE("a window's trace is the frame's trace in that window, on every track"
     const Traced whole = trace(machine);
     const ChromeTraceReader all(whole.json);
     const VcdReader all_lines(whole.vcd);
-    const auto frame = static_cast<std::uint64_t>(whole.statistics.frame.time.count());
-    for (int i = 0; i < 3; ++i) {
-      const auto from = static_cast<std::int64_t>(random() * frame / 4294967296U);
-      const auto length =
-          1 + static_cast<std::int64_t>(random() % (i < 2 ? 10'000'000 : frame / 5));
-      const std::int64_t to = std::min(from + length, static_cast<std::int64_t>(frame));
+    const std::vector<std::int64_t> cuts = cuts_of(all, level_of(machine));
+    for (int i = 0; i < 6; ++i) {
+      const std::size_t first = random() % (cuts.size() - 1);
+      const std::size_t step = 1 + random() % (i < 3 ? 10 : cuts.size() - first);
+      const std::int64_t from = cuts[first];
+      const std::int64_t to = cuts[std::min(first + step, cuts.size() - 1)];
       const std::string window = std::to_string(from) + "ps.." + std::to_string(to) + "ps";
       INFO(machine << " " << window);
       const Traced part = trace(machine + " --trace-window " + window + " --trace-boards 0..1");
