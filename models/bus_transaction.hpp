@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <tlm>
 #include <vector>
 
@@ -23,6 +25,11 @@ struct BusTransaction : tlm::tlm_extension<BusTransaction> {
                               ///< which sets the top bit of the first byte under one grant
   Duration modify{};          ///< between its read and its write
   std::vector<std::uint64_t> addresses;  ///< of the accesses; empty when they are consecutive
+
+  /// Called at the end of a burst that was answered, in the bus's own time: a master that has its
+  /// next burst ready puts it into the same payload and returns the time from `end` to its request;
+  /// else it returns nothing and is woken. Saves the kernel a wake-up per burst.
+  std::function<std::optional<Duration>(Instant end)> follow_up;
 
   // What the bus answers.
   std::int64_t accesses = 0;

@@ -119,10 +119,19 @@ std::optional<Instant> CcettMachine::finished() const {
   return last;
 }
 
+// Boards may be ahead of the kernel.
+Instant CcettMachine::furthest_known() const {
+  Instant furthest = kernel_now();
+  for (const auto& board : boards_) {
+    furthest = std::max(furthest, board->accounted());
+  }
+  return furthest;
+}
+
 MachineStatistics CcettMachine::statistics() const {
   MachineStatistics statistics;
   const std::optional<Instant> finish = finished();
-  const Instant end = finish.value_or(kernel_now());
+  const Instant end = finish.value_or(furthest_known());
   statistics.has_finished = finish.has_value();
   statistics.host = host_->statistics();
   statistics.load_time = statistics.host.finished.value_or(end);

@@ -57,7 +57,7 @@ class CcettMachine : public sc_core::sc_module {
                PixelSource& source, const FrameSetup& setup);
 
   /// Exact for a machine that has finished, also on a kernel that ran longer; of a run that was
-  /// interrupted, up to the kernel's present instant.
+  /// interrupted, up to the furthest instant that its bus has reached.
   [[nodiscard]] MachineStatistics statistics() const;
 
   /// Asserts that each pixel of the useful zone has been written exactly once and no other pixel at
@@ -78,6 +78,8 @@ class CcettMachine : public sc_core::sc_module {
   [[nodiscard]] const VersaBus& bus() const { return bus_; }
 
  private:
+  [[nodiscard]] Instant furthest_known() const;
+
   PixelRectangle zone_;
   PixelAllotment allotment_;
   sc_core::sc_event start_;  // of the boards, by the host

@@ -77,6 +77,12 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
     database_.transaction.item_accesses =
         static_cast<std::int64_t>(k_long_bytes / site.bus.word_bytes());
   }
+  if (!cache_) {  // nothing but the writes needs the bus: it is given one burst after the other
+    pixels_.transaction.follow_up = [this](Instant end) -> std::optional<Duration> {
+      settle(pixels_.transaction, end);
+      return gather() ? std::optional(computing_) : std::nullopt;
+    };
+  }
   SC_HAS_PROCESS(Kvm02);
   SC_THREAD(run);
   set_stack_size(k_stack_bytes);
@@ -90,41 +96,64 @@ void Kvm02::run() {
   started_at_ = accounted_ = kernel_now();
   compute(source_.preprocessing());
   statistics_.preprocessing = own_time() - started_at_;
-  for (auto unit = first_unit(); unit < share_.allotment.units(); unit = unit_after(unit)) {
-    take_unit(unit);
+  if (share_.claim) {
+    while (enter_unit(claim_unit())) {
+      write_pixels();
+    }
+  } else if (enter_unit(share_.first)) {
+    write_pixels();
   }
   finish();
 }
 
-std::int64_t Kvm02::first_unit() { return share_.claim ? claim_unit() : share_.first; }
-
-std::int64_t Kvm02::unit_after(std::int64_t unit) {
-  return share_.claim ? claim_unit() : unit + share_.step;
+// False behind the last unit.
+bool Kvm02::enter_unit(std::int64_t unit) {
+  if (unit >= share_.allotment.units()) {
+    return false;
+  }
+  unit_ = unit;
+  next_pixel_ = share_.allotment.first_pixel(unit);
+  unit_end_ = share_.allotment.first_pixel(unit + 1);
+  return true;
 }
 
-void Kvm02::take_unit(std::int64_t unit) {
-  const std::int64_t end = share_.allotment.first_pixel(unit + 1);
-  for (std::int64_t index = share_.allotment.first_pixel(unit); index < end; ++index) {
-    take(source_.pixel(index));
+// Whether the board has another pixel without claiming one.
+bool Kvm02::has_pixel() {
+  while (next_pixel_ == unit_end_) {
+    if (share_.claim || !enter_unit(unit_ + share_.step)) {
+      return false;
+    }
   }
+  return true;
 }
 
-void Kvm02::take(const SynthesizedPixel& pixel) {
-  if (!pixels_.bytes.empty() && pixel.row != row_) {
-    write_pixels();
+// Synthesises pixels until some are due to be written; false when none is left.
+bool Kvm02::gather() {
+  pixels_.bytes.clear();
+  pixels_.transaction.addresses.clear();
+  while (has_pixel()) {
+    const SynthesizedPixel pixel = source_.pixel(next_pixel_++);
+    compute(pixel.work);
+    ++statistics_.pixels;
+    statistics_.work.add(pixel.work);
+    statistics_.work.add(pixel.rays);
+    append(pixel);
+    if (parameters_.pixel_write == PixelWrite::pixel || !has_pixel() ||
+        share_.allotment.position(next_pixel_).row != pixel.row) {
+      pixels_.aim(pixels_.transaction.addresses.front());
+      return true;
+    }
   }
-  compute(pixel.work);
-  ++statistics_.pixels;
-  statistics_.work.add(pixel.work);
-  statistics_.work.add(pixel.rays);
-  append(pixel);
-  if (parameters_.pixel_write == PixelWrite::pixel) {
-    write_pixels();
+  return false;
+}
+
+void Kvm02::write_pixels() {
+  while (gather()) {
+    transact(pixels_);
   }
 }
 
 void Kvm02::append(const SynthesizedPixel& pixel) {
-  row_ = pixel.row;
   const std::uint64_t index =
       static_cast<std::uint64_t>(pixel.row) * static_cast<std::uint64_t>(site_.frame.width) +
       pixel.column;
@@ -135,17 +164,7 @@ void Kvm02::append(const SynthesizedPixel& pixel) {
   append_long(site_.frame.format.written(pixel.rgb, pixel.depth), pixels_.bytes);
 }
 
-void Kvm02::write_pixels() {
-  pixels_.aim(pixels_.transaction.addresses.front());
-  transact(pixels_);
-  pixels_.bytes.clear();
-  pixels_.transaction.addresses.clear();
-}
-
 void Kvm02::finish() {
-  if (!pixels_.bytes.empty()) {
-    write_pixels();
-  }
   site_.bus.retire(master_);
   sc_core::wait(to_sc_time(computing_));
   statistics_.compute += computing_;
@@ -258,6 +277,13 @@ void Kvm02::transact(BusBurst& burst) {
   sc_core::sc_time delay = to_sc_time(computing_);
   bus_master->b_transport(burst.payload, delay);
   require_answer(burst.payload, transaction, name());
+  if (!transaction.follow_up) {
+    settle(transaction, kernel_now());
+  }
+}
+
+// Puts a burst that has ended into the board's states.
+void Kvm02::settle(const BusTransaction& transaction, Instant end) {
   statistics_.compute += computing_ + transaction.gaps();
   statistics_.wait_grant += transaction.waited;
   statistics_.transfer += transaction.transferred;
@@ -267,7 +293,7 @@ void Kvm02::transact(BusBurst& burst) {
     statistics_.longest_wait_request = transaction.longest_wait_request;
   }
   computing_ = Duration::zero();
-  accounted_ = kernel_now();
+  accounted_ = end;
 }
 
 // The instant that its processor has reached.

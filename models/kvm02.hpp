@@ -92,17 +92,18 @@ class Kvm02 : public sc_core::sc_module {
   /// When it ended its last work, if it has.
   [[nodiscard]] std::optional<Instant> finished() const { return statistics_.finished; }
 
-  /// States from the start of the frame up to `instant`, not before the board's finish if it has
-  /// finished. A board that has not finished counts as computing until its next request and as
-  /// waiting from then on.
+  /// Up to here its states are known, perhaps ahead of the kernel.
+  [[nodiscard]] Instant accounted() const { return accounted_; }
+
+  /// States from the start of the frame up to `instant`, not before `accounted()`. A board that has
+  /// not finished counts as computing until its next request and as waiting from then on.
   [[nodiscard]] BoardStatistics statistics(Instant instant) const;
 
  private:
   void run();
-  [[nodiscard]] std::int64_t first_unit();
-  [[nodiscard]] std::int64_t unit_after(std::int64_t unit);
-  void take_unit(std::int64_t unit);
-  void take(const SynthesizedPixel& pixel);
+  [[nodiscard]] bool enter_unit(std::int64_t unit);
+  [[nodiscard]] bool has_pixel();
+  [[nodiscard]] bool gather();
   void append(const SynthesizedPixel& pixel);
   void write_pixels();
   void finish();
@@ -116,6 +117,7 @@ class Kvm02 : public sc_core::sc_module {
   void read_database(Duration computing, std::int64_t loads);
   void compute(Clocks clocks);
   void transact(BusBurst& burst);
+  void settle(const BusTransaction& transaction, Instant end);
   [[nodiscard]] Instant own_time() const;
 
   void access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
@@ -135,7 +137,9 @@ class Kvm02 : public sc_core::sc_module {
 
   Instant accounted_{};   // up to here the states are known
   Duration computing_{};  // since then, before the next request
-  int row_ = 0;           // of the pixels that wait to be written
+  std::int64_t unit_ = 0;
+  std::int64_t next_pixel_ = 0;  // of the unit
+  std::int64_t unit_end_ = 0;
   BusBurst pixels_{tlm::TLM_WRITE_COMMAND};
   BusBurst database_{tlm::TLM_READ_COMMAND};
   BusBurst shared_read_{tlm::TLM_READ_COMMAND};

@@ -1,6 +1,8 @@
 #include "models/versabus.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 #include <stdexcept>
 
 #include "models/kernel_time.hpp"
@@ -11,6 +13,8 @@ namespace {
 
 constexpr int k_levels = 5;
 constexpr int k_bits_per_byte = 8;
+/// The bus goes no further ahead of the kernel, so that a run can be watched and ended.
+constexpr Duration k_horizon = std::chrono::seconds(1);
 constexpr unsigned char k_taken = 0x80;  // what TAS sets
 constexpr const char* k_report = "/maquette/versabus";
 
@@ -114,11 +118,18 @@ unsigned VersaBus::transport_dbg(int /*id*/, tlm::tlm_generic_payload& payload) 
 }
 
 void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
+  leave_computing(id, State::requesting);
+  begin(id, burst, request);
+  if (request < free_at_) {  // into an access that was decided before the request was known
+    account_.found_occupied(id, previous_, free_at_ - request);
+  }
+}
+
+void VersaBus::begin(int id, tlm::tlm_generic_payload& burst, Instant request) {
   Master& master = at(id);
   if (burst.get_data_length() == 0 || burst.get_data_length() % word_bytes_ != 0) {
     fail("a burst of " + master.description.name + " is not a whole number of bus words");
   }
-  leave_computing(id, State::requesting);
   auto* transaction = burst.get_extension<BusTransaction>();
   master.transaction = transaction != nullptr ? transaction : &master.plain;
   master.burst = &burst;
@@ -133,9 +144,6 @@ void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
   burst.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   master.access.set_command(burst.get_command());
   enter(id, request);
-  if (request < free_at_) {  // into an access that was decided before the request was known
-    account_.found_occupied(id, previous_, free_at_ - request);
-  }
 }
 
 void VersaBus::enter(int id, Instant request) {
@@ -184,6 +192,10 @@ void VersaBus::advance() {
       if (unpromised_ > 0) {
         wake_.notify(to_sc_time(next + k_tick - now));
       }
+      return;
+    }
+    if (next >= now + k_horizon) {
+      wake_.notify(to_sc_time(next - now));
       return;
     }
     decide(next);
@@ -361,6 +373,12 @@ void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
 void VersaBus::complete(int id, Instant end, tlm::tlm_response_status status) {
   Master& master = at(id);
   master.burst->set_response_status(status);
+  if (status == tlm::TLM_OK_RESPONSE && master.transaction->follow_up) {
+    if (const std::optional<Duration> until = master.transaction->follow_up(end)) {
+      begin(id, *master.burst, end + *until);
+      return;
+    }
+  }
   master.state = State::computing;
   master.promised = master.transaction->runs_ahead;
   master.completed_at = end;

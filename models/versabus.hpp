@@ -40,7 +40,8 @@ struct BusMaster {
 /// it is between two accesses, and arbitrate again. Assumption: a first grant pays no hand-over.
 ///
 /// The bus keeps its own time. While every active master stands with a request it resolves accesses
-/// ahead of the kernel, up to the first end of a transaction: nothing unknown can come in between.
+/// ahead of the kernel, up to the first end of a transaction that its master does not follow up:
+/// nothing unknown can come in between.
 /// While some master computes unknown to the bus, only instants before the kernel's are decided and
 /// the bus wakes itself one tick after the next one.
 ///
@@ -116,6 +117,7 @@ class VersaBus : public sc_core::sc_module {
   unsigned transport_dbg(int id, tlm::tlm_generic_payload& payload);
 
   void post(int id, tlm::tlm_generic_payload& burst, Instant request);
+  void begin(int id, tlm::tlm_generic_payload& burst, Instant request);
   void enter(int id, Instant request);
   void leave_computing(int id, State next);
   void advance();
