@@ -122,7 +122,8 @@ TEST_CASE("a grant falls on its tick: a request one tick later loses the bus") {
   const Instant first_end = 4 * k_clock + k_word;
   std::vector<std::unique_ptr<Bench>> benches;
   const std::vector<Case> cases{{-k_tick, 2}, {Duration{0}, 2}, {k_tick, 1}};
-  for (const Style style : {Style::promised, Style::annotated, Style::waiting}) {
+  for (const Style style :
+       {Style::promised, Style::annotated, Style::waiting, Style::followed_up}) {
     for (const Case& one : cases) {
       benches.push_back(std::make_unique<Bench>("tight" + std::to_string(benches.size()), k_bus,
                                                 slave_of_250_ns()));
@@ -162,7 +163,7 @@ TEST_CASE("BCLR: only a strictly higher level ends a block, after the access und
       {0, first_end, whole + 5 * k_clock},
   };
   std::vector<std::unique_ptr<Bench>> benches;
-  for (const Style style : {Style::promised, Style::waiting}) {
+  for (const Style style : {Style::promised, Style::waiting, Style::followed_up}) {
     for (const Case& one : cases) {
       benches.push_back(std::make_unique<Bench>("clear" + std::to_string(benches.size()), k_bus,
                                                 slave_of_250_ns()));
@@ -188,8 +189,8 @@ TEST_CASE("who waited for whom: every tick of a wait has a name") {
       steps.push_back({Duration{below(generator, 9'000'000)}, 0, 1 + below(generator, 4),
                        Duration{below(generator, 900'000)}, below(generator, 2) == 1});
     }
-    const Style style = std::vector{Style::promised, Style::annotated,
-                                    Style::waiting}[static_cast<std::size_t>(master % 3)];
+    const Style style = std::vector{Style::promised, Style::annotated, Style::waiting,
+                                    Style::followed_up}[static_cast<std::size_t>(master % 4)];
     bench.add({master % 3, master}, style, script(steps));
   }
   sc_core::sc_start();

@@ -153,6 +153,7 @@ bool same(const BusAccess& a, const BusAccess& b) {
 
 TEST_CASE("looking ahead, computing unknown to the bus, and the law without a kernel agree") {
   constexpr int k_cases = 150;
+  constexpr int k_styles = 4;
   std::mt19937 generator(1984);
   std::vector<std::vector<BusAccess>> expected;
   std::vector<std::vector<std::unique_ptr<Bench>>> benches(k_cases);
@@ -164,11 +165,11 @@ TEST_CASE("looking ahead, computing unknown to the bus, and the law without a ke
     parameters.handover_clocks = below(generator, 3);
     const std::vector<Script> scripts = random_scripts(generator);
     expected.push_back(Oracle(scripts, parameters).run());
-    for (int variant = 0; variant < 4; ++variant) {
+    for (int variant = 0; variant <= k_styles; ++variant) {
       const std::string name = "case" + std::to_string(one) + "_" + std::to_string(variant);
       benches[one].push_back(std::make_unique<Bench>(name, parameters, uneven));
       for (std::size_t master = 0; master < scripts.size(); ++master) {
-        const int style = variant < 3 ? variant : static_cast<int>(master % 3);
+        const int style = variant < k_styles ? variant : static_cast<int>(master) % k_styles;
         benches[one].back()->add(scripts[master].place, static_cast<Style>(style),
                                  script(scripts[master].steps));
       }
@@ -176,7 +177,7 @@ TEST_CASE("looking ahead, computing unknown to the bus, and the law without a ke
   }
   sc_core::sc_start();
   for (std::size_t one = 0; one < k_cases; ++one) {
-    for (std::size_t variant = 0; variant < 4; ++variant) {
+    for (std::size_t variant = 0; variant <= k_styles; ++variant) {
       const auto& log = benches[one][variant]->log;
       INFO("case " << one << " variant " << variant);
       REQUIRE(log.size() == expected[one].size());
@@ -187,6 +188,25 @@ TEST_CASE("looking ahead, computing unknown to the bus, and the law without a ke
               benches[one][0]->bus.statistics().waited_for);
     }
   }
+}
+
+TEST_CASE("bursts that follow one another up for seconds keep their instants") {
+  std::vector<std::unique_ptr<Bench>> benches;
+  for (const Style style : {Style::waiting, Style::followed_up}) {
+    benches.push_back(std::make_unique<Bench>("long" + std::to_string(benches.size()),
+                                              VersaBusParameters{}, uneven));
+    for (int master = 0; master < 3; ++master) {
+      benches.back()->add({0, master}, style,
+                          repeat({Duration{(300 + master) * 1'000'000'000LL}, 0x1000, 2}, 30));
+    }
+  }
+  sc_core::sc_start();
+  const auto& waiting = benches[0]->log;
+  const auto& followed_up = benches[1]->log;
+  REQUIRE(waiting.size() == 180);
+  CHECK(waiting.back().end > 9 * std::chrono::seconds(1));
+  REQUIRE(followed_up.size() == waiting.size());
+  CHECK(std::equal(waiting.begin(), waiting.end(), followed_up.begin(), same));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <string>
 #include <systemc>
@@ -27,8 +28,9 @@ struct Step {
 };
 
 /// How a master spends its compute time: told to the bus as delay, with or without the promise to
-/// run ahead, or waited for in the kernel.
-enum class Style { promised, annotated, waiting };
+/// run ahead, or waited for in the kernel; or one burst follows up the other without a way through
+/// the kernel.
+enum class Style { promised, annotated, waiting, followed_up };
 
 /// A transaction as its master saw it.
 struct Outcome {
@@ -79,32 +81,55 @@ class Master : public sc_core::sc_module {
 
  private:
   void run() {
-    BusTransaction transaction;
-    tlm::tlm_generic_payload payload;
-    payload.set_extension(&transaction);
-    payload.set_command(tlm::TLM_WRITE_COMMAND);
-    transaction.runs_ahead = style_ == Style::promised;
-    std::vector<unsigned char> data;
+    payload_.set_extension(&transaction_);
+    payload_.set_command(tlm::TLM_WRITE_COMMAND);
+    transaction_.runs_ahead = style_ == Style::promised;
+    if (style_ == Style::followed_up) {
+      transaction_.follow_up = [this](Instant end) { return follow_up(end); };
+    }
     Step step;
     while (next_(step)) {
-      data.resize(static_cast<std::size_t>(step.accesses) * bus_.word_bytes());
-      transaction.gap = step.gap;
-      transaction.block = step.block;
-      payload.set_address(step.address);
-      payload.set_data_ptr(data.data());
-      payload.set_data_length(static_cast<unsigned>(data.size()));
+      load(step);
       sc_core::sc_time delay = to_sc_time(step.compute);
       if (style_ == Style::waiting) {
         sc_core::wait(delay);
         delay = sc_core::SC_ZERO_TIME;
       }
-      socket->b_transport(payload, delay);
-      outcomes.push_back({kernel_now() + to_duration(delay), transaction.waited,
-                          transaction.transferred, payload.get_response_status()});
+      socket->b_transport(payload_, delay);
+      if (!transaction_.follow_up || payload_.get_response_status() != tlm::TLM_OK_RESPONSE) {
+        keep_outcome(kernel_now() + to_duration(delay));
+      }
     }
     bus_.retire(id_);
   }
 
+  void load(const Step& step) {
+    data_.resize(static_cast<std::size_t>(step.accesses) * bus_.word_bytes());
+    transaction_.gap = step.gap;
+    transaction_.block = step.block;
+    payload_.set_address(step.address);
+    payload_.set_data_ptr(data_.data());
+    payload_.set_data_length(static_cast<unsigned>(data_.size()));
+  }
+
+  void keep_outcome(Instant end) {
+    outcomes.push_back(
+        {end, transaction_.waited, transaction_.transferred, payload_.get_response_status()});
+  }
+
+  std::optional<Duration> follow_up(Instant end) {
+    keep_outcome(end);
+    Step step;
+    if (!next_(step)) {
+      return std::nullopt;
+    }
+    load(step);
+    return step.compute;
+  }
+
+  BusTransaction transaction_;  // before the payload, which frees its extensions
+  tlm::tlm_generic_payload payload_;
+  std::vector<unsigned char> data_;
   VersaBus& bus_;
   int id_;
   Style style_;
