@@ -33,6 +33,8 @@ bool shares_something(const MachineParameters& parameters) {
          parameters.board.database == DatabasePlace::shared;
 }
 
+std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
+
 void check(const MachineParameters& parameters, const FrameSetup& setup) {
   const PixelRectangle& zone = setup.useful_zone;
   if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
@@ -42,6 +44,10 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
   }
   if (!setup.images.empty() && setup.images.size() != parameters.boards.size()) {
     throw std::invalid_argument("there must be one image per board");
+  }
+  if (parameters.allotment.assignment == Assignment::on_demand &&
+      parameters.frame_memory.ports > 1) {
+    throw std::invalid_argument("units on demand need a frame memory of one port");
   }
   if ((parameters.board.database == DatabasePlace::shared) == setup.shared_database.empty()) {
     throw std::invalid_argument("a shared database must be given, and only when it is shared");
@@ -62,7 +68,6 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
       allotment_(parameters.allotment, zone_, static_cast<int>(parameters.boards.size())),
       start_("start"),
       timing_(parameters.video, parameters.frame_memory.width, parameters.frame_memory.height),
-      bus_("bus", parameters.bus),
       frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
                     setup.keep_log) {
   check(parameters, setup);
@@ -70,41 +75,61 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
   const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
   const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
                           PixelFormat(parameters.frame_memory)};
-  bus_.attach_slave(frame_memory_.bus_port,
-                    {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
+  const auto ports = static_cast<std::size_t>(parameters.frame_memory.ports);
+  std::vector<Backplane> backplanes;
+  for (std::size_t port = 0; port < ports; ++port) {
+    buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
+    buses_[port]->attach_slave(frame_memory_.bus_ports[port],
+                               {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
+    backplanes.push_back({*buses_[port], {}, {}});
+  }
   const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block,
                             static_cast<std::int64_t>(setup.shared_database.size())};
 
-  std::vector<LoadImage> images;
   if (shares_something(parameters)) {
     std::vector<unsigned char> content(SharedWindow::k_header_bytes);
     content.insert(content.end(), setup.shared_database.begin(), setup.shared_database.end());
     content.resize((content.size() + k_long_bytes - 1) / k_long_bytes * k_long_bytes);
-    shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size());
-    bus_.attach_slave(shared_memory_->bus_port,
-                      {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
+    shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size(),
+                           parameters.frame_memory.ports);
+    for (std::size_t port = 0; port < ports; ++port) {
+      buses_[port]->attach_slave(
+          shared_memory_->bus_ports[port],
+          {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
+    }
     if (!setup.images.empty()) {
-      images.push_back({shared.base, std::move(content)});
+      backplanes[0].images.push_back({shared.base, std::move(content)});
     }
   }
   BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};
   if (parameters.allotment.assignment == Assignment::on_demand) {
     share.claim = parameters.allotment.claim;
   }
-  std::vector<int> masters;
   for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
     const std::uint64_t ram_base = block * (index + 1);
+    Backplane& backplane = backplanes[index % ports];
     share.first = static_cast<std::int64_t>(index);
     boards_.push_back(std::make_unique<Kvm02>(
         ("board" + std::to_string(index)).c_str(), parameters.board,
-        BoardSite{bus_, parameters.boards[index], ram_base, frame, shared}, share, source, start_));
-    masters.push_back(boards_.back()->master());
+        BoardSite{backplane.bus, parameters.boards[index], ram_base, frame, shared}, share, source,
+        start_));
+    backplane.boards.push_back(boards_.back()->master());
     if (!setup.images.empty()) {
-      images.push_back({ram_base, setup.images[index]});
+      backplane.images.push_back({ram_base, setup.images[index]});
     }
   }
-  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, bus_,
-                                 std::move(masters), std::move(images), start_);
+  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, std::move(backplanes),
+                                 start_);
+}
+
+void CcettMachine::observe_bus(const std::function<void(const BusAccess&)>& observer) {
+  for (std::size_t port = 0; port < buses_.size(); ++port) {
+    buses_[port]->observe([this, observer, port](BusAccess access) {
+      const auto board = port + static_cast<std::size_t>(access.master) * buses_.size();
+      access.master = static_cast<int>(std::min(board, boards_.size()));
+      observer(access);
+    });
+  }
 }
 
 std::optional<Instant> CcettMachine::finished() const {
@@ -139,7 +164,12 @@ MachineStatistics CcettMachine::statistics() const {
   for (const auto& board : boards_) {
     statistics.boards.push_back(board->statistics(end));
   }
-  statistics.bus = bus_.statistics();
+  std::vector<BusStatistics> backplanes;
+  for (const auto& bus : buses_) {
+    backplanes.push_back(bus->statistics());
+  }
+  statistics.bus = combined(backplanes, boards_.size());
+  statistics.backplanes = static_cast<int>(buses_.size());
   return statistics;
 }
 

@@ -34,11 +34,13 @@ struct MachineStatistics {
   Duration load_time{};                 ///< from instant 0: the host writes the images
   Duration frame_time{};                ///< from the boards' start to the last one's end
   std::vector<BoardStatistics> boards;  ///< each one's states sum to frame_time
-  BusStatistics bus;                    ///< masters in the order of the bus: boards, then host
+  BusStatistics bus;                    ///< masters: boards, then host; all backplanes as one
+  int backplanes = 1;
   HostStatistics host;
 };
 
-/// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus. Elaborated by its
+/// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus, or on as many backplanes
+/// as the frame memory has ports, board b on backplane b mod ports. Elaborated by its
 /// constructor; a plain `sc_start` runs it until all boards are done, since nothing in it is
 /// periodic.
 ///
@@ -70,12 +72,13 @@ class CcettMachine : public sc_core::sc_module {
   /// When the last board was done, if all are.
   [[nodiscard]] std::optional<Instant> finished() const;
 
-  void observe_bus(std::function<void(const BusAccess&)> observer) {
-    bus_.observe(std::move(observer));
-  }
+  /// Every access from now on is shown to `observer`, with the number of the board, or of the host
+  /// after them, as its master; in the order of time on each backplane.
+  void observe_bus(const std::function<void(const BusAccess&)>& observer);
+
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
-  [[nodiscard]] const VersaBus& bus() const { return bus_; }
+  [[nodiscard]] const VersaBus& bus(std::size_t backplane = 0) const { return *buses_[backplane]; }
 
  private:
   [[nodiscard]] Instant furthest_known() const;
@@ -84,7 +87,7 @@ class CcettMachine : public sc_core::sc_module {
   PixelAllotment allotment_;
   sc_core::sc_event start_;  // of the boards, by the host
   VideoTiming timing_;
-  VersaBus bus_;
+  std::vector<std::unique_ptr<VersaBus>> buses_;
   FrameMemory frame_memory_;
   std::optional<SharedMemory> shared_memory_;
   std::vector<std::unique_ptr<Kvm02>> boards_;

@@ -26,7 +26,7 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
                          const FrameMemoryParameters& parameters, const VideoTiming& timing,
                          std::uint32_t background, bool keep_log)
     : sc_module(name),
-      bus_port("bus_port"),
+      bus_ports("bus_port"),
       parameters_(parameters),
       format_(parameters),
       background_(format_.written(background, k_farthest) & format_.kept()),
@@ -44,8 +44,14 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
   if (keep_log) {
     log_.emplace();
   }
-  bus_port.register_b_transport(this, &FrameMemory::b_transport);
-  bus_port.register_transport_dbg(this, &FrameMemory::transport_dbg);
+  if (parameters.ports < 1) {
+    throw std::invalid_argument("the frame memory has at least one bus port");
+  }
+  bus_ports.init(static_cast<std::size_t>(parameters.ports));
+  for (auto& port : bus_ports) {
+    port.register_b_transport(this, &FrameMemory::b_transport);
+    port.register_transport_dbg(this, &FrameMemory::transport_dbg);
+  }
 }
 
 bool FrameMemory::accept(tlm::tlm_generic_payload& payload) const {
@@ -78,10 +84,18 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
   count_write(address, bytes);
   if (log_) {
     for (auto pixel = address / k_pixel_bytes; pixel * k_pixel_bytes < address + bytes; ++pixel) {
-      log_->push_back({done, static_cast<std::uint32_t>(pixel),
-                       format_.colour(stored_[static_cast<std::size_t>(pixel)])});
+      remember({done, static_cast<std::uint32_t>(pixel),
+                format_.colour(stored_[static_cast<std::size_t>(pixel)])});
     }
   }
+}
+
+// One backplane may be ahead of another.
+void FrameMemory::remember(const PixelWriteRecord& write) {
+  const auto after = std::find_if(
+      log_->rbegin(), log_->rend(),
+      [&write](const PixelWriteRecord& other) { return other.instant <= write.instant; });
+  log_->insert(after.base(), write);
 }
 
 unsigned FrameMemory::transport_dbg(tlm::tlm_generic_payload& payload) {

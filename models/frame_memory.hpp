@@ -26,6 +26,9 @@ struct PixelWriteRecord {
 /// The frame memory: planes of red, green and blue bits, perhaps of depth, a bus port and a video
 /// port. On the bus, pixel p of the row-major order is the four bytes from 4 p on (PixelFormat).
 ///
+/// Assumption: with several bus ports the memory is interleaved so that they do not delay one
+/// another; the video reader's slots delay each of them.
+///
 /// Assumption: before the frame the video port clears the memory to the background during one
 /// field, at no cost to the boards. A write is done at the end of its memory access.
 class FrameMemory : public sc_core::sc_module {
@@ -37,7 +40,7 @@ class FrameMemory : public sc_core::sc_module {
   FrameMemory(const sc_core::sc_module_name& name, const FrameMemoryParameters& parameters,
               const VideoTiming& timing, std::uint32_t background, bool keep_log);
 
-  tlm_utils::simple_target_socket<FrameMemory> bus_port;
+  sc_core::sc_vector<tlm_utils::simple_target_socket<FrameMemory>> bus_ports;
 
   [[nodiscard]] std::uint64_t size_bytes() const { return stored_.size() * k_pixel_bytes; }
 
@@ -64,6 +67,7 @@ class FrameMemory : public sc_core::sc_module {
   void b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
   [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;
+  void remember(const PixelWriteRecord& write);
   void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
   void count_write(std::uint64_t address, unsigned bytes);
   void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;

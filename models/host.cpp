@@ -16,17 +16,17 @@ AccessLaw access_law(const HostParameters& host, const Kvm02Parameters& interfac
 }  // namespace
 
 Host::Host(const sc_core::sc_module_name& name, const HostParameters& parameters,
-           const Kvm02Parameters& interface, VersaBus& bus, std::vector<int> boards,
-           std::vector<LoadImage> images, sc_core::sc_event& start)
+           const Kvm02Parameters& interface, std::vector<Backplane> backplanes,
+           sc_core::sc_event& start)
     : sc_module(name),
-      bus_master("bus_master"),
+      bus_masters("bus_master", backplanes.size()),
       word_time_(Period::of_frequency(parameters.clock_hz).times(parameters.word_clocks)),
-      bus_(bus),
-      master_(bus.attach_master(
-          bus_master, {this->name(), parameters.place, access_law(parameters, interface)})),
-      boards_(std::move(boards)),
-      images_(std::move(images)),
+      backplanes_(std::move(backplanes)),
       start_(start) {
+  for (std::size_t i = 0; i < backplanes_.size(); ++i) {
+    masters_.push_back(backplanes_[i].bus.attach_master(
+        bus_masters[i], {this->name(), parameters.place, access_law(parameters, interface)}));
+  }
   if (parameters.word_clocks < 0) {
     throw std::invalid_argument("times of the host must not be negative");
   }
@@ -37,24 +37,30 @@ Host::Host(const sc_core::sc_module_name& name, const HostParameters& parameters
 }
 
 void Host::run() {
-  for (const int board : boards_) {
-    bus_.retire(board);
-  }
-  for (LoadImage& image : images_) {
-    if (!image.bytes.empty()) {
-      load(image);
+  for (const Backplane& backplane : backplanes_) {
+    for (const int board : backplane.boards) {
+      backplane.bus.retire(board);
     }
   }
-  bus_.retire(master_);
-  for (const int board : boards_) {
-    bus_.activate(board);
+  for (std::size_t i = 0; i < backplanes_.size(); ++i) {
+    for (LoadImage& image : backplanes_[i].images) {
+      if (!image.bytes.empty()) {
+        load(i, image);
+      }
+    }
+    backplanes_[i].bus.retire(masters_[i]);
+  }
+  for (const Backplane& backplane : backplanes_) {
+    for (const int board : backplane.boards) {
+      backplane.bus.activate(board);
+    }
   }
   statistics_.finished = kernel_now();
   start_.notify(sc_core::SC_ZERO_TIME);
 }
 
-void Host::load(LoadImage& image) {
-  const std::size_t word = bus_.word_bytes();
+void Host::load(std::size_t backplane, LoadImage& image) {
+  const std::size_t word = backplanes_[backplane].bus.word_bytes();
   image.bytes.resize((image.bytes.size() + word - 1) / word * word);
   tlm::tlm_generic_payload payload;
   payload.set_extension(&transaction_);
@@ -64,7 +70,7 @@ void Host::load(LoadImage& image) {
   payload.set_data_length(static_cast<unsigned>(image.bytes.size()));
   payload.set_streaming_width(static_cast<unsigned>(image.bytes.size()));
   sc_core::sc_time delay = to_sc_time(word_time_);
-  bus_master->b_transport(payload, delay);
+  bus_masters[backplane]->b_transport(payload, delay);
   require_answer(payload, transaction_, name());
   statistics_.words += transaction_.accesses;
   statistics_.waited += transaction_.waited;

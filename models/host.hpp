@@ -20,6 +20,13 @@ struct LoadImage {
   std::vector<unsigned char> bytes;
 };
 
+/// A bus of a machine, and what the host does on it.
+struct Backplane {
+  VersaBus& bus;
+  std::vector<int> boards;        ///< masters of the bus, held until everything is loaded
+  std::vector<LoadImage> images;  ///< in their order
+};
+
 struct HostStatistics {
   std::optional<Instant> finished;  ///< all boards loaded and started, when they are
   std::int64_t words = 0;
@@ -33,25 +40,23 @@ struct HostStatistics {
 /// Assumption: its bus interface has the access clocks and the slack of the boards'.
 class Host : public sc_core::sc_module {
  public:
-  /// Loads `images` in their order while `boards`, masters of the bus, are held. Then notifies
-  /// `start`, which is kept by reference.
+  /// Loads the images of one backplane after the other, then notifies `start`. Both buses and start
+  /// are kept by reference.
   Host(const sc_core::sc_module_name& name, const HostParameters& parameters,
-       const Kvm02Parameters& interface, VersaBus& bus, std::vector<int> boards,
-       std::vector<LoadImage> images, sc_core::sc_event& start);
+       const Kvm02Parameters& interface, std::vector<Backplane> backplanes,
+       sc_core::sc_event& start);
 
-  tlm_utils::simple_initiator_socket<Host> bus_master;
+  sc_core::sc_vector<tlm_utils::simple_initiator_socket<Host>> bus_masters;
 
   [[nodiscard]] const HostStatistics& statistics() const { return statistics_; }
 
  private:
   void run();
-  void load(LoadImage& image);
+  void load(std::size_t backplane, LoadImage& image);
 
   Duration word_time_;
-  VersaBus& bus_;
-  int master_;
-  std::vector<int> boards_;
-  std::vector<LoadImage> images_;
+  std::vector<Backplane> backplanes_;
+  std::vector<int> masters_;  // the host's number on each
   BusTransaction transaction_;
   sc_core::sc_event& start_;
   HostStatistics statistics_;

@@ -70,6 +70,7 @@ struct FrameMemoryParameters {
   int green_bits = 8;
   int blue_bits = 8;
   int depth_bits = 0;                 ///< 0: the display has no depth planes
+  int ports = 1;                      ///< each with a backplane of its own
   Duration access_time{250'000};      ///< data strobe to acknowledge, no video conflict
   bool video_priority = true;         ///< the video reader's slots delay the bus port
   int video_slot_pixels = 16;         ///< pixels fetched by one video slot

@@ -8,14 +8,17 @@
 namespace maquette::models {
 
 SharedMemory::SharedMemory(const sc_core::sc_module_name& name,
-                           const SharedMemoryParameters& parameters, std::size_t size_bytes)
-    : sc_module(name), bus_port("bus_port"), cells_(size_bytes) {
+                           const SharedMemoryParameters& parameters, std::size_t size_bytes,
+                           int ports)
+    : sc_module(name), bus_ports("bus_port", static_cast<std::size_t>(ports)), cells_(size_bytes) {
   if (parameters.access_time < Duration::zero()) {
     throw std::invalid_argument("the access time of the shared memory must not be negative");
   }
   access_time_ = to_sc_time(parameters.access_time);
-  bus_port.register_b_transport(this, &SharedMemory::b_transport);
-  bus_port.register_transport_dbg(this, &SharedMemory::transport_dbg);
+  for (auto& port : bus_ports) {
+    port.register_b_transport(this, &SharedMemory::b_transport);
+    port.register_transport_dbg(this, &SharedMemory::transport_dbg);
+  }
 }
 
 void SharedMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {

@@ -30,14 +30,16 @@ struct SharedWindow {
   [[nodiscard]] std::uint64_t database() const { return base + k_header_bytes; }
 };
 
-/// A memory board on the bus, such as the M68KVM10 and 11 (VM02 data sheet p. 2-65).
+/// A memory board on the bus, such as the M68KVM10 and 11 (VM02 data sheet p. 2-65). Assumption:
+/// its ports do not delay one another.
 class SharedMemory : public sc_core::sc_module {
  public:
-  /// `size_bytes` of zeros. Throws std::invalid_argument for a negative access time.
+  /// `size_bytes` of zeros with a port for each of `ports` backplanes. Throws std::invalid_argument
+  /// for a negative access time.
   SharedMemory(const sc_core::sc_module_name& name, const SharedMemoryParameters& parameters,
-               std::size_t size_bytes);
+               std::size_t size_bytes, int ports);
 
-  tlm_utils::simple_target_socket<SharedMemory> bus_port;
+  sc_core::sc_vector<tlm_utils::simple_target_socket<SharedMemory>> bus_ports;
 
   [[nodiscard]] std::uint64_t size_bytes() const { return cells_.size(); }
 

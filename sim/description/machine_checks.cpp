@@ -141,6 +141,15 @@ void check_board(const Machine& machine, const YamlNode& root) {
   }
 }
 
+/// Backplanes keep their own time, so what boards of several do to one counter has no exact order.
+void check_ports(const models::MachineParameters& parameters, const YamlNode& root) {
+  if (parameters.allotment.assignment == models::Assignment::on_demand &&
+      parameters.frame_memory.ports > 1) {
+    fail_at(root, "allotment.assignment",
+            "on_demand is allowed with frame_memory.ports=1 only, whose bus orders the claims");
+  }
+}
+
 void check_timeout(const models::MachineParameters& parameters, const YamlNode& root) {
   const models::Duration timeout = parameters.bus.timeout;
   const models::FrameMemoryParameters& memory = parameters.frame_memory;
@@ -171,6 +180,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_picture_lines(machine.parameters, root);
   check_video_slots(machine.parameters, root);
   check_timeout(machine.parameters, root);
+  check_ports(machine.parameters, root);
 }
 
 }  // namespace maquette::sim

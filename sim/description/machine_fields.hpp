@@ -158,6 +158,9 @@ void declare_frame_memory(Visitor& visitor, models::FrameMemoryParameters& memor
   visitor.field({"depth", "planes of depth, written with each pixel; 0: none",
                  "CCETT paper, section V.2.3.3: none [R]"},
                 memory.depth_bits, WholeType{WholeDimension::bits, {0, 16}});
+  visitor.field({"ports", "bus ports, each with a backplane; board b is on port b modulo ports",
+                 "one VERSAbus, CCETT paper, section V.2.3.3 [R]"},
+                memory.ports, WholeType{WholeDimension::count, {1, 64}});
   visitor.field({"access_time", "data strobe to acknowledge without video conflict",
                  "usual dynamic RAM of the time [I]"},
                 memory.access_time, k_time);

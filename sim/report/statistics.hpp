@@ -239,7 +239,7 @@ struct BusStatistics {
         field("database_words", "accesses", "of these: reads of a shared database",
               &Self::database_words),
         field("busy_s", "s", "the bus has a master", &Self::busy),
-        field("utilisation", "1", "busy time over frame time", &Self::utilisation),
+        field("utilisation", "1", "busy time over frame time, of a backplane", &Self::utilisation),
         field("wait_mean_s", "s", "from request to grant, mean to the nearest picosecond",
               &Self::wait_mean),
         field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max),

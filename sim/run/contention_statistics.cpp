@@ -80,7 +80,8 @@ double fairness_of(const models::MachineStatistics& model) {
 
 /// The requests of the host, before the frame, stood alone: they are taken off the queue.
 QueueStatistics queue_statistics(const models::MachineStatistics& model) {
-  std::vector<Duration> times{model.frame_time};
+  const Duration bus_time = model.frame_time * model.backplanes;
+  std::vector<Duration> times{bus_time};
   times.insert(times.end(), model.bus.queue_times.begin(), model.bus.queue_times.end());
   for (std::size_t i = model.boards.size(); i < model.bus.masters.size(); ++i) {
     times[1] -= model.bus.masters[i].waited;
@@ -92,7 +93,7 @@ QueueStatistics queue_statistics(const models::MachineStatistics& model) {
     requests += times[length] * static_cast<std::int64_t>(length);
   }
   times[0] = std::max(times[0], Duration::zero());  // an interrupted bus may be ahead of the kernel
-  queue.mean = ratio(requests, model.frame_time);
+  queue.mean = ratio(requests, bus_time);
   for (std::size_t length = 0; length < times.size(); ++length) {
     if (times[length] > Duration::zero()) {
       queue.longest = static_cast<int>(length);
@@ -121,7 +122,7 @@ BusStatistics contention_statistics(const models::MachineStatistics& model) {
   if (bus.transfers > 0) {
     bus.wait_mean = (waited + Duration(bus.transfers / 2)) / bus.transfers;
   }
-  bus.utilisation = ratio(bus.busy, model.frame_time);
+  bus.utilisation = ratio(bus.busy, model.frame_time * model.backplanes);
   bus.wait_quantiles = quantiles_of(waits);
   bus.longest_wait = longest_wait(model);
   bus.fairness = fairness_of(model);

@@ -28,7 +28,7 @@ class Probe : public sc_core::sc_module {
  public:
   Probe(const sc_core::sc_module_name& name, FrameMemory& memory)
       : sc_module(name), socket("socket") {
-    socket.bind(memory.bus_port);
+    socket.bind(memory.bus_ports[0]);
     access_.set_extension(&strobe_);
   }
 

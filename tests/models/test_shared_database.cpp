@@ -134,6 +134,8 @@ TEST_CASE("any machine with a shared database verifies, and hides nothing") {
     MachineParameters parameters = sharing(boards);
     parameters.allotment = cut_into(static_cast<Allotment>(below(generator, 4)), 5, 3);
     parameters.allotment.assignment = static_cast<Assignment>(below(generator, 2));
+    const bool fixed = parameters.allotment.assignment == Assignment::fixed;
+    parameters.frame_memory.ports = fixed ? 1 + below(generator, 3) : 1;
     parameters.board.database_cache_bytes = below(generator, 3) * 200;
     parameters.board.release = static_cast<ReleasePolicy>(below(generator, 2));
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));

@@ -16,8 +16,8 @@ constexpr Duration k_access = 7 * k_clock;  // of a memory of 250 ns
 // Two memory-sharing masters without a machine around them.
 struct Rig {
   explicit Rig(const VersaBusParameters& parameters)
-      : bus("bus", parameters), memory("memory", {Duration{250'000}}, 16) {
-    bus.attach_slave(memory.bus_port, {"memory", 0x1000, memory.size_bytes()});
+      : bus("bus", parameters), memory("memory", {Duration{250'000}}, 16, 1) {
+    bus.attach_slave(memory.bus_ports[0], {"memory", 0x1000, memory.size_bytes()});
     bus.observe([this](const BusAccess& access) { log.push_back(access); });
   }
 

@@ -295,6 +295,9 @@ TEST_CASE("what no single value of a machine shows is checked") {
   check_error(with_override("board.ram=12 KiB"), "--set ", "not even the stack");
   check_error(with_override("board.refresh=200 clocks"), "--set ", "leaves nothing");
   check_error(with_override("bus.timeout=200 ns"), "", "bus.timeout");
+  check_error(with_machine("machine: {name: a, frame_memory: {ports: 2}, allotment: {assignment: "
+                           "on_demand}}"),
+              "scene.yaml:7:", "frame_memory.ports=1 only");
 }
 
 TEST_CASE("overrides are refused at their column") {
