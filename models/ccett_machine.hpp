@@ -78,6 +78,7 @@ class CcettMachine : public sc_core::sc_module {
 
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
+  [[nodiscard]] std::size_t backplanes() const { return buses_.size(); }
   [[nodiscard]] const VersaBus& bus(std::size_t backplane = 0) const { return *buses_[backplane]; }
 
  private:

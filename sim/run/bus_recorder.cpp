@@ -69,10 +69,16 @@ void add(const RecordedAccess& access, const TraceWindow& window, RecordedBus& b
 
 void start_record(models::CcettMachine& model, const TraceWindow& window, BusRecord& record) {
   record.window = window;
-  record.buses.push_back({"versabus", static_cast<int>(8 * model.bus().word_bytes()), {}, {}});
+  for (std::size_t i = 0; i < model.backplanes(); ++i) {
+    record.buses.push_back({i == 0 ? "versabus" : fmt::format("versabus{}", i),
+                            static_cast<int>(8 * model.bus(i).word_bytes()),
+                            {},
+                            {}});
+  }
   model.observe_bus([&model, &record](const BusAccess& access) {
     if (const auto start = model.started()) {
-      add(recorded(access, *start), record.window, record.buses.front());
+      const auto board = static_cast<std::size_t>(access.master);
+      add(recorded(access, *start), record.window, record.buses[board % record.buses.size()]);
     }
   });
 }
@@ -83,14 +89,16 @@ void finish_record(const models::CcettMachine& model, BusRecord& record) {
   record.window.to = std::min(record.window.to, statistics.frame_time);
   record.window.from = std::min(record.window.from, record.window.to);
   for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
-    const int master = static_cast<int>(i);
-    RecordedBoard board{fmt::format("board{}", i), model.bus().master_place(master).level, {}};
+    const std::size_t backplane = i % model.backplanes();
+    const models::VersaBus& bus = model.bus(backplane);
+    const int master = static_cast<int>(i / model.backplanes());
+    RecordedBoard board{fmt::format("board{}", i), bus.master_place(master).level, {}};
     if (const auto finish = statistics.boards[i].finished) {
       board.finish = *finish - start;
     }
     record.boards.push_back(std::move(board));
-    if (const auto request = model.bus().standing_request(master)) {
-      record.buses.front().standing.push_back({i, *request - start});
+    if (const auto request = bus.standing_request(master)) {
+      record.buses[backplane].standing.push_back({i, *request - start});
     }
   }
 }

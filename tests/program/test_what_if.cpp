@@ -58,5 +58,14 @@ TEST_CASE("units on demand on several backplanes are refused") {
   CHECK_FALSE(std::filesystem::exists(scratch / "out"));
 }
 
+TEST_CASE("a trace shows every backplane") {
+  const ScratchDirectory scratch;
+  const std::string trace = (scratch / "trace.json").string();
+  run_with(scratch, "out", "--set frame_memory.ports=2 --trace " + trace);
+  const std::string text = content_of(trace);
+  CHECK(text.find("versabus") != std::string::npos);
+  CHECK(text.find("versabus1") != std::string::npos);
+}
+
 }  // namespace
 }  // namespace maquette::tests
