@@ -52,19 +52,20 @@ class Loader {
     return root;
   }
 
-  /// Loads what `name` refers to: a shipped name of `kind`, or a file relative to `base`. `place`
-  /// is where the name was written; nothing for the command line.
+  /// Loads what `name` refers to: a shipped name of `kind` (empty: there are none), or a file
+  /// relative to `base`. `place` is where the name was written; nothing for the command line.
   YamlNode load_named(const std::string& name, std::string_view kind, const fs::path& base,
                       const YamlPlace* place) {
     const fs::path directory = fs::path{models_} / kind;
+    const bool is_shipped = !kind.empty() && is_shipped_name(name);
     const fs::path file =
-        is_shipped_name(name) ? directory / (name + ".yaml") : (base / name).lexically_normal();
+        is_shipped ? directory / (name + ".yaml") : (base / name).lexically_normal();
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) {
       return load(file.string());
     }
     std::string message = "cannot read the file `" + file.string() + "`";
-    if (is_shipped_name(name)) {
+    if (is_shipped) {
       const std::vector<std::string> names = shipped_names(directory);
       message = "`" + name + "` is not among the shipped " + std::string{kind} +
                 " nor the name of a file; " + allowed_names(name, {names.begin(), names.end()});
@@ -164,8 +165,8 @@ void apply_to_both(YamlNode& scene, YamlNode& machine, const Override& change, L
   }
 }
 
-/// The machine of a description before overrides; takes the scene's own out of the scene.
-YamlNode take_machine(YamlNode& scene, const std::optional<std::string>& given, Loader& loader) {
+/// Takes the scene's own machine out of the scene; null when it has none.
+YamlNode take_machine(YamlNode& scene) {
   YamlNode machine;
   for (auto entry = scene.entries.begin(); entry != scene.entries.end(); ++entry) {
     if (entry->key == "machine") {
@@ -174,29 +175,71 @@ YamlNode take_machine(YamlNode& scene, const std::optional<std::string>& given, 
       break;
     }
   }
-  if (given) {
-    return loader.load_named(*given, "machines", {}, nullptr);
-  }
+  return machine;
+}
+
+Description read_trees(DescriptionTrees trees, const std::vector<Override>& changes,
+                       Loader& loader) {
+  YamlNode own_machine = take_machine(trees.scene);
+  YamlNode& machine = trees.machine.kind == YamlKind::null ? own_machine : trees.machine;
   if (machine.kind == YamlKind::null) {
-    return loader.load_named(std::string{k_default_machine}, "machines", {}, nullptr);
+    machine = loader.load_named(std::string{k_default_machine}, "machines", {}, nullptr);
   }
   loader.expand(machine, "machines");
-  return machine;
+  for (const Override& change : changes) {
+    apply_to_both(trees.scene, machine, change, loader);
+  }
+  expand_arithmetic(machine, loader);
+  return {read_scene(trees.scene), read_machine(machine), {}};
+}
+
+void expand_machine(YamlNode& machine, Loader& loader) {
+  loader.expand(machine, "machines");
+  expand_arithmetic(machine, loader);
 }
 
 }  // namespace
 
-Description load_description(const DescriptionSources& sources) {
-  Description description;
-  Loader loader{sources.models_directory, description.input_files};
-  YamlNode scene = loader.load(sources.scene_file);
-  YamlNode machine = take_machine(scene, sources.machine, loader);
-  for (const std::string& text : sources.overrides) {
-    apply_to_both(scene, machine, parse_override(text), loader);
+void inline_files(YamlNode& part, DescriptionPart kind, const std::string& models_directory,
+                  std::vector<std::string>& input_files) {
+  Loader loader{models_directory, input_files};
+  switch (kind) {
+    case DescriptionPart::scene:
+      loader.expand(part, {});
+      if (YamlNode* machine = part.find("machine")) {
+        expand_machine(*machine, loader);
+      }
+      break;
+    case DescriptionPart::machine:
+      expand_machine(part, loader);
+      break;
+    case DescriptionPart::arithmetic:
+      loader.expand(part, "arithmetic");
+      break;
   }
-  expand_arithmetic(machine, loader);
-  description.scene = read_scene(scene);
-  description.machine = read_machine(machine);
+}
+
+Description read_description(DescriptionTrees trees, const std::vector<Override>& changes,
+                             const std::string& models_directory) {
+  std::vector<std::string> input_files;
+  Loader loader{models_directory, input_files};
+  return read_trees(std::move(trees), changes, loader);
+}
+
+Description load_description(const DescriptionSources& sources) {
+  std::vector<std::string> input_files;
+  Loader loader{sources.models_directory, input_files};
+  DescriptionTrees trees;
+  trees.scene = loader.load(sources.scene_file);
+  if (sources.machine) {
+    trees.machine = loader.load_named(*sources.machine, "machines", {}, nullptr);
+  }
+  std::vector<Override> changes;
+  for (const std::string& text : sources.overrides) {
+    changes.push_back(parse_override(text));
+  }
+  Description description = read_trees(std::move(trees), changes, loader);
+  description.input_files = std::move(input_files);
   return description;
 }
 

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "sim/description/machine.hpp"
+#include "sim/description/override.hpp"
 #include "sim/description/scene.hpp"
+#include "sim/description/yaml_node.hpp"
 
 namespace maquette::sim {
 
@@ -32,6 +34,27 @@ struct Description {
 /// `machine.` may be written before it.
 /// Throws DescriptionError.
 [[nodiscard]] Description load_description(const DescriptionSources& sources);
+
+/// What can stand as the name of a file and be put in its place.
+enum class DescriptionPart { scene, machine, arithmetic };
+
+/// Puts the file that `part` names, if it is a name, in its place, and with it what that file names
+/// in turn; a scene's own machine stays in the scene. Remembers the files in `input_files`. Throws
+/// DescriptionError.
+void inline_files(YamlNode& part, DescriptionPart kind, const std::string& models_directory,
+                  std::vector<std::string>& input_files);
+
+/// A description before it is checked.
+struct DescriptionTrees {
+  YamlNode scene;    ///< may hold its machine; nothing else names a file
+  YamlNode machine;  ///< goes before the scene's own; null where there is none
+};
+
+/// Applies the changes to trees without names of files and checks the result: load_description for
+/// many descriptions that differ in little. Throws DescriptionError.
+[[nodiscard]] Description read_description(DescriptionTrees trees,
+                                           const std::vector<Override>& changes,
+                                           const std::string& models_directory);
 
 /// The same without a scene; without `sources.machine` it is the shipped ccett-1984.
 [[nodiscard]] Machine load_machine(const DescriptionSources& sources,

@@ -58,6 +58,20 @@ void require_entry(const YamlNode& named, const Override::Step& step) {
 
 }  // namespace
 
+std::vector<Override::Step> parse_path(const std::string& path, const YamlPlace& place) {
+  std::vector<Override::Step> steps;
+  for (std::size_t start = 0; start <= path.size();) {
+    const std::size_t end = std::min(path.find('.', start), path.size());
+    const YamlPlace step{place.file, place.line, place.column + static_cast<int>(start)};
+    if (end == start) {
+      throw DescriptionError(step.position(), "a name is missing in the path");
+    }
+    steps.push_back({path.substr(start, end - start), step});
+    start = end + 1;
+  }
+  return steps;
+}
+
 Override parse_override(const std::string& text) {
   const auto file = std::make_shared<const std::string>(k_option + text);
   const std::size_t equals = text.find('=');
@@ -66,17 +80,17 @@ Override parse_override(const std::string& text) {
                            "`=` is missing; path.to.parameter=value is allowed");
   }
   Override change;
-  for (std::size_t start = 0; start <= equals;) {
-    const std::size_t end = std::min(text.find('.', start), equals);
-    const YamlPlace place{file, 1, static_cast<int>(start) + 1};
-    if (end == start) {
-      throw DescriptionError(place.position(), "a name is missing in the path");
-    }
-    change.path.push_back({text.substr(start, end - start), place});
-    start = end + 1;
-  }
+  change.path = parse_path(text.substr(0, equals), {file, 1, 1});
   change.value = parse_yaml(text.substr(equals + 1), *file, static_cast<int>(equals) + 2);
   return change;
+}
+
+std::string path_of(const std::vector<Override::Step>& steps) {
+  std::string path;
+  for (const Override::Step& step : steps) {
+    path.append(path.empty() ? "" : ".").append(step.key);
+  }
+  return path;
 }
 
 void apply_override(YamlNode& root, const Override& change, std::size_t first) {
@@ -97,7 +111,7 @@ void apply_override(YamlNode& root, const Override& change, std::size_t first) {
 }
 
 bool is_from_override(const YamlPlace& place) {
-  return place.file && place.file->rfind(k_option, 0) == 0;
+  return place.file && place.file->rfind("--", 0) == 0;
 }
 
 }  // namespace maquette::sim

@@ -2,9 +2,11 @@
 
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "sim/description/declaration.hpp"
+#include "sim/description/value_types.hpp"
 #include "sim/description/yaml_writer.hpp"
 
 namespace maquette::sim {
@@ -19,6 +21,7 @@ struct ParameterRow {
   std::string range;
   std::string sentence;
   std::string source;
+  bool is_whole = false;  ///< a whole number of its stored unit
 };
 
 /// The visitor of declared fields that lists them.
@@ -36,7 +39,8 @@ class ParameterTable {
                      {},
                      type.range(),
                      std::string{declaration.sentence},
-                     std::string{declaration.source}});
+                     std::string{declaration.source},
+                     std::is_same_v<Type, WholeType>});
   }
 
   template <class Value, class Type>
