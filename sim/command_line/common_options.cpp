@@ -39,4 +39,19 @@ std::string path_for_results(const std::string& path) {
   return path.compare(0, prefix.size(), prefix) == 0 ? path.substr(prefix.size()) : path;
 }
 
+Manifest manifest_of(const std::vector<std::string>& command,
+                     const std::vector<std::string>& input_files, double host_time_s) {
+  Manifest manifest;
+  manifest.command = command;
+  manifest.version = MAQUETTE_VERSION;
+  for (const std::string& file : input_files) {
+    InputFile input = hash_input(file);
+    input.path = path_for_results(file);
+    manifest.inputs.push_back(input);
+  }
+  manifest.host_time_s = host_time_s;
+  measure_process(manifest);
+  return manifest;
+}
+
 }  // namespace maquette::sim

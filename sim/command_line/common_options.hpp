@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/description/description_loader.hpp"
+#include "sim/report/manifest.hpp"
 
 namespace maquette::sim {
 
@@ -24,5 +25,9 @@ DescriptionSources sources_of(const CommonOptions& options);
 /// The path as a result may name it: relative to the project for the shipped descriptions, as given
 /// otherwise.
 std::string path_for_results(const std::string& path);
+
+/// The manifest of a command that has read these files and taken this long.
+Manifest manifest_of(const std::vector<std::string>& command,
+                     const std::vector<std::string>& input_files, double host_time_s);
 
 }  // namespace maquette::sim

@@ -134,21 +134,6 @@ void add_pictures(const std::string& name, const std::vector<models::Duration>& 
   }
 }
 
-Manifest manifest_of(const std::vector<std::string>& command, const Description& description,
-                     double host_time_s) {
-  Manifest manifest;
-  manifest.command = command;
-  manifest.version = MAQUETTE_VERSION;
-  for (const std::string& file : description.input_files) {
-    InputFile input = hash_input(file);
-    input.path = path_for_results(file);
-    manifest.inputs.push_back(input);
-  }
-  manifest.host_time_s = host_time_s;
-  measure_process(manifest);
-  return manifest;
-}
-
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -196,8 +181,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       {"config.yaml", effective_configuration(description.scene, description.machine)}};
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
-  files.push_back(
-      {"manifest.json", manifest_json(manifest_of(command, description, host_time_s()))});
+  files.push_back({"manifest.json",
+                   manifest_json(manifest_of(command, description.input_files, host_time_s()))});
   fmt::print(stderr, "{}", trace_files.remarks(result.trace));
   trace_files.write(result.trace);
   write_files(directory, files);

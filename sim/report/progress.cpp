@@ -39,6 +39,17 @@ std::string progress_line(models::Duration simulated, double fraction, double ho
   return line;
 }
 
+std::string study_progress_line(int done, int failed, int planned, double host_time_s) {
+  const double fraction = planned > 0 ? static_cast<double>(done) / planned : 1;
+  std::string line = fmt::format("[{}] {} of {} points", bar(fraction), done, planned);
+  line += failed > 0 ? fmt::format(", {} failed", failed) : "";
+  if (host_time_s > 0 && done > 0) {
+    line += fmt::format(", {:.3g} points/s, {} left", done / host_time_s,
+                        clock_time(host_time_s * (1 - fraction) / fraction));
+  }
+  return line;
+}
+
 Progress::Progress(bool wanted)
     : active_(wanted && ::isatty(STDERR_FILENO) == 1), start_(Clock::now()), next_(start_) {}
 
@@ -49,17 +60,33 @@ Progress::~Progress() {
 }
 
 void Progress::show(models::Duration simulated, double fraction) {
-  if (!active_) {
-    return;
+  if (is_due()) {
+    write(progress_line(simulated, fraction, host_time_s()));
   }
+}
+
+void Progress::show_points(int done, int failed, int planned) {
+  if (is_due()) {
+    write(study_progress_line(done, failed, planned, host_time_s()));
+  }
+}
+
+bool Progress::is_due() {
   const auto now = Clock::now();
-  if (now < next_) {
-    return;
+  if (!active_ || now < next_) {
+    return false;
   }
   next_ = now + std::chrono::milliseconds(100);
+  return true;
+}
+
+void Progress::write(const std::string& line) {
   shown_ = true;
-  const double host_time_s = std::chrono::duration<double>(now - start_).count();
-  std::fputs((k_clear_line + progress_line(simulated, fraction, host_time_s)).c_str(), stderr);
+  std::fputs((k_clear_line + line).c_str(), stderr);
+}
+
+double Progress::host_time_s() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
 }
 
 }  // namespace maquette::sim

@@ -11,7 +11,12 @@ namespace maquette::sim {
 /// time per host time, host time left.
 std::string progress_line(models::Duration simulated, double fraction, double host_time_s);
 
-/// The progress bar of a run, on standard error while that is a terminal, and never in a result.
+/// One line of progress of a study: points done of those planned, how many failed, points per host
+/// time, host time left.
+std::string study_progress_line(int done, int failed, int planned, double host_time_s);
+
+/// The progress bar of a run or a study, on standard error while that is a terminal, and never in a
+/// result.
 class Progress {
  public:
   /// Stays silent unless `wanted` and standard error is a terminal.
@@ -24,9 +29,14 @@ class Progress {
 
   /// Call as often as convenient: the terminal is written ten times a second at most.
   void show(models::Duration simulated, double fraction);
+  void show_points(int done, int failed, int planned);
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  bool is_due();
+  void write(const std::string& line);
+  [[nodiscard]] double host_time_s() const;
 
   bool active_;
   bool shown_ = false;

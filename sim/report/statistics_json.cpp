@@ -10,7 +10,6 @@
 #include <type_traits>
 
 #include "sim/description/description_error.hpp"
-#include "sim/report/flat_json.hpp"
 #include "sim/report/seconds.hpp"
 
 namespace maquette::sim {
@@ -198,7 +197,11 @@ std::string statistics_json(const Statistics& statistics) {
 }
 
 Statistics parse_statistics(const std::string& json, const std::string& name) {
-  Reader reader(flatten_json(json, name), name);
+  return read_statistics(flatten_json(json, name), name);
+}
+
+Statistics read_statistics(const FlatValues& values, const std::string& name) {
+  Reader reader(values, name);
   Statistics statistics;
   reader.read("", statistics);
   reader.finish();

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "sim/report/flat_json.hpp"
 #include "sim/report/statistics.hpp"
 
 namespace maquette::sim {
@@ -15,5 +16,8 @@ std::string statistics_json(const Statistics& statistics);
 /// DescriptionError for what is not JSON, and for a key that is missing, unknown or has a wrong
 /// value.
 Statistics parse_statistics(const std::string& json, const std::string& name);
+
+/// The same for statistics within another JSON text, of which `values` are the flat values.
+Statistics read_statistics(const FlatValues& values, const std::string& name);
 
 }  // namespace maquette::sim

@@ -22,7 +22,11 @@ TEST_CASE("inputs are hashed as FIPS 180 says, and named as they were given") {
 }
 
 TEST_CASE("the manifest holds command, version, inputs and cost") {
-  Manifest manifest{{"maquette", "run", "a \"b\"\xff"}, "1.0.0", {{"s.yaml", "12"}}, 1.5, 0, 0};
+  Manifest manifest;
+  manifest.command = {"maquette", "run", "a \"b\"\xff"};
+  manifest.version = "1.0.0";
+  manifest.inputs = {{"s.yaml", "12"}};
+  manifest.host_time_s = 1.5;
   measure_process(manifest);
   CHECK(manifest.peak_memory_bytes > 1'000'000);
   CHECK(manifest.processor_time_s > 0);
@@ -35,4 +39,7 @@ TEST_CASE("the manifest holds command, version, inputs and cost") {
   CHECK(json["peak_memory_bytes"] == manifest.peak_memory_bytes);
   CHECK(json["inputs"].is_array());
   CHECK(nlohmann::json::parse(manifest_json({}))["inputs"].is_array());
+  CHECK_FALSE(json.contains("points_per_s"));
+  manifest.study = {2, 6};
+  CHECK(nlohmann::json::parse(manifest_json(manifest))["points_per_s"] == 4);
 }
