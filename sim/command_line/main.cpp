@@ -8,6 +8,7 @@
 #include "sim/command_line/compare_command.hpp"
 #include "sim/command_line/describe_command.hpp"
 #include "sim/command_line/run_command.hpp"
+#include "sim/command_line/sweep_command.hpp"
 #include "sim/description/description_error.hpp"
 
 namespace {
@@ -30,6 +31,7 @@ int run_program(int argc, char** argv) {
   program.set_version_flag("--version", MAQUETTE_VERSION);
   maquette::sim::add_run_command(program, command, exit_code);
   maquette::sim::add_describe_command(program);
+  maquette::sim::add_sweep_commands(program, command, exit_code);
   maquette::sim::add_compare_command(program, exit_code);
   try {
     program.parse(argc, argv);

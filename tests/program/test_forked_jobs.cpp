@@ -1,0 +1,62 @@
+#include <unistd.h>
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <map>
+#include <set>
+
+#include "sim/run/forked_jobs.hpp"
+#include "sim/run/interruption.hpp"
+
+using namespace maquette::sim;
+
+TEST_CASE("every job runs once in a process of its own and its end is told") {
+  const Interruption interruption;
+  int touched = 0;
+  std::map<std::size_t, JobEnd> ends;
+  ForkedJobs jobs;
+  jobs.count = 20;
+  jobs.processes = 3;
+  jobs.run = [&touched](std::size_t job) {
+    ++touched;
+    if (job == 7) {
+      std::signal(SIGSEGV, SIG_DFL);
+      std::raise(SIGSEGV);
+    }
+    return touched == 1 ? static_cast<int>(job % 5) : 99;
+  };
+  jobs.ended = [&ends](std::size_t job, const JobEnd& end) {
+    CHECK(ends.emplace(job, end).second);
+  };
+  CHECK(run_forked(jobs));
+  CHECK(touched == 0);
+  REQUIRE(ends.size() == 20);
+  for (const auto& [job, end] : ends) {
+    INFO(job);
+    CHECK(end.exit_code == (job == 7 ? 128 + SIGSEGV : static_cast<int>(job % 5)));
+    CHECK(end.crash.empty() == (job != 7));
+  }
+}
+
+TEST_CASE("an interruption ends the running jobs and starts no other") {
+  const Interruption interruption;
+  std::set<std::size_t> ended;
+  ForkedJobs jobs;
+  jobs.count = 10;
+  jobs.processes = 2;
+  jobs.run = [](std::size_t job) {
+    if (job >= 2) {
+      std::signal(SIGTERM, SIG_DFL);
+      ::pause();
+    }
+    return 0;
+  };
+  jobs.ended = [&ended](std::size_t job, const JobEnd&) {
+    ended.insert(job);
+    if (ended.size() == 2) {
+      std::raise(SIGINT);
+    }
+  };
+  CHECK_FALSE(run_forked(jobs));
+  CHECK(ended == std::set<std::size_t>{0, 1});
+}
