@@ -18,6 +18,10 @@ std::set<std::string> scenes_in(const std::string& folder) {
   return names;
 }
 
+bool is_study(const std::filesystem::path& file) {
+  return file.parent_path().filename() == "studies";
+}
+
 }  // namespace
 
 TEST_CASE("Every primitive and every operator has a scene of its own") {
@@ -29,7 +33,7 @@ TEST_CASE("Every primitive and every operator has a scene of its own") {
 
 TEST_CASE("Every shipped scene runs") {
   for (const auto& entry : std::filesystem::recursive_directory_iterator(k_scenes)) {
-    if (entry.path().extension() != ".yaml") {
+    if (entry.path().extension() != ".yaml" || is_study(entry.path())) {
       continue;
     }
     const ScratchDirectory scratch;
@@ -39,6 +43,18 @@ TEST_CASE("Every shipped scene runs") {
     CHECK(outcome.exit_code == 0);
     CHECK(outcome.output.empty());
     CHECK(std::filesystem::exists(scratch / "out" / "frame.png"));
+  }
+}
+
+TEST_CASE("All points of every shipped study are sound, and the first one runs") {
+  for (const auto& entry : std::filesystem::directory_iterator(k_scenes / "studies")) {
+    const ScratchDirectory scratch;
+    const Outcome outcome =
+        run_maquette("sweep --sweep " + entry.path().string() + k_small_frame +
+                     "--point 0 --quiet --outdir " + (scratch / "out").string());
+    INFO(entry.path() << "\n" << outcome.errors);
+    CHECK(outcome.exit_code == 0);
+    CHECK(std::filesystem::exists(scratch / "out" / "points" / "000000.json"));
   }
 }
 
