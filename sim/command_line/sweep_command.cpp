@@ -228,7 +228,7 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   const StudyPoints points(std::move(study), models_directory);
   const std::vector<int> selected = selected_points(options, points.size());
   check_columns(points);
-  check_points(points);
+  const std::vector<std::string> records = check_points(points);
   const StudyDirectory directory(points, options.outdir.empty()
                                              ? std::filesystem::path("runs") / points.study().name
                                              : std::filesystem::path(options.outdir));
@@ -240,9 +240,9 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   StudyProgress progress;
   {
     Progress line(!options.quiet);
-    progress = run_points(points, directory, numbers, jobs, [&line](const StudyProgress& now) {
-      line.show_points(now.done, now.failed, now.planned);
-    });
+    progress = run_points(
+        points, directory, records, numbers, jobs,
+        [&line](const StudyProgress& now) { line.show_points(now.done, now.failed, now.planned); });
   }
   if (Interruption::is_requested()) {
     fmt::print(stderr, "interrupted after {} of {} points; the same command goes on\n",

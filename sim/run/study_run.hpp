@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "sim/sweep/study_directory.hpp"
@@ -8,9 +9,10 @@
 
 namespace maquette::sim {
 
-/// Checks the description of every point, also whether the machine can hold its scene. Throws the
-/// DescriptionError of the first that is wrong.
-void check_points(const StudyPoints& points);
+/// Checks the description of every point, also whether the machine can hold its scene. Gives the
+/// name of the record that each point can replay. Throws the DescriptionError of the first that is
+/// wrong.
+[[nodiscard]] std::vector<std::string> check_points(const StudyPoints& points);
 
 /// How far a run of points has come.
 struct StudyProgress {
@@ -20,11 +22,12 @@ struct StudyProgress {
 };
 
 /// Simulates the points `numbers` in `processes` processes at a time, each point in its own, and
-/// stores what comes of each as soon as it is there. A point that throws or crashes is stored as
-/// failed. `show` is called after each point. Stops early when an interruption is requested; what
-/// was being simulated then is not stored.
+/// stores what comes of each as soon as it is there. Points that share a record (`records`, of
+/// every point of the study) replay it: the scene is synthesised once for all of them. A point that
+/// throws or crashes is stored as failed. `show` is called after each point. Stops early when an
+/// interruption is requested; what was being simulated then is not stored.
 StudyProgress run_points(const StudyPoints& points, const StudyDirectory& directory,
-                         const std::vector<int>& numbers, int processes,
-                         const std::function<void(const StudyProgress&)>& show);
+                         const std::vector<std::string>& records, const std::vector<int>& numbers,
+                         int processes, const std::function<void(const StudyProgress&)>& show);
 
 }  // namespace maquette::sim
