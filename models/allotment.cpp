@@ -30,8 +30,7 @@ PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const Pixe
                                int boards)
     : zone_(zone),
       cut_in_bands_(parameters.order == Allotment::bands),
-      unit_width_(std::max(zone.width, 1)),
-      unit_height_(1) {
+      unit_width_(std::max(zone.width, 1)) {
   check(parameters, zone, boards);
   if (parameters.order == Allotment::interleaved_pixels) {
     unit_width_ = 1;

@@ -53,7 +53,7 @@ class PixelAllotment {
   PixelRectangle zone_;
   bool cut_in_bands_;
   int unit_width_;  // of units other than bands, where the zone does not cut them
-  int unit_height_;
+  int unit_height_ = 1;
   std::int64_t units_per_row_;
   std::int64_t units_;
 };
