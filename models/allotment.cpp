@@ -38,6 +38,7 @@ PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const Pixe
     unit_width_ = parameters.tile_width;
     unit_height_ = parameters.tile_height;
   }
+  units_are_equal_ = !cut_in_bands_ && unit_height_ == 1 && zone.width % unit_width_ == 0;
   units_per_row_ = parts(zone.width, unit_width_);
   units_ = cut_in_bands_ ? boards : units_per_row_ * parts(zone.height, unit_height_);
 }
@@ -45,6 +46,9 @@ PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const Pixe
 std::int64_t PixelAllotment::first_pixel(std::int64_t unit) const {
   if (cut_in_bands_) {
     return zone_.height * unit / units_ * zone_.width;
+  }
+  if (units_are_equal_) {
+    return unit * unit_width_;
   }
   if (unit == units_) {
     return pixels();

@@ -54,6 +54,7 @@ class PixelAllotment {
   bool cut_in_bands_;
   int unit_width_;  // of units other than bands, where the zone does not cut them
   int unit_height_ = 1;
+  bool units_are_equal_ = false;  // in pixels, row by row
   std::int64_t units_per_row_;
   std::int64_t units_;
 };

@@ -144,6 +144,14 @@ std::optional<Instant> CcettMachine::finished() const {
   return last;
 }
 
+std::int64_t CcettMachine::pixels_taken() const {
+  std::int64_t taken = 0;
+  for (const auto& board : boards_) {
+    taken += board->pixels_taken();
+  }
+  return taken;
+}
+
 // Boards may be ahead of the kernel.
 Instant CcettMachine::furthest_known() const {
   Instant furthest = kernel_now();

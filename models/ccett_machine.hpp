@@ -69,6 +69,9 @@ class CcettMachine : public sc_core::sc_module {
   /// When the boards started, if the host has loaded them: the frame's instant 0.
   [[nodiscard]] std::optional<Instant> started() const { return host_->statistics().finished; }
 
+  /// How many pixels the boards have taken so far.
+  [[nodiscard]] std::int64_t pixels_taken() const;
+
   /// When the last board was done, if all are.
   [[nodiscard]] std::optional<Instant> finished() const;
 

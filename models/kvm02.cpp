@@ -16,8 +16,10 @@ constexpr std::size_t k_long_bytes = 4;
 constexpr std::size_t k_stack_bytes = std::size_t{1} << 20U;  // pixel sources compute on it
 
 void append_long(std::uint32_t value, std::vector<unsigned char>& bytes) {
+  std::size_t next = bytes.size();
+  bytes.resize(next + k_long_bytes);
   for (const unsigned shift : {24U, 16U, 8U, 0U}) {
-    bytes.push_back(static_cast<unsigned char>(value >> shift));
+    bytes[next++] = static_cast<unsigned char>(value >> shift);
   }
 }
 
@@ -132,7 +134,7 @@ bool Kvm02::gather() {
   pixels_.bytes.clear();
   pixels_.transaction.addresses.clear();
   while (has_pixel()) {
-    const SynthesizedPixel pixel = source_.pixel(next_pixel_++);
+    const SynthesizedPixel& pixel = source_.pixel(next_pixel_++);
     compute(pixel.work);
     ++statistics_.pixels;
     statistics_.work.add(pixel.work);

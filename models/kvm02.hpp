@@ -92,6 +92,8 @@ class Kvm02 : public sc_core::sc_module {
   /// When it ended its last work, if it has.
   [[nodiscard]] std::optional<Instant> finished() const { return statistics_.finished; }
 
+  [[nodiscard]] std::int64_t pixels_taken() const { return statistics_.pixels; }
+
   /// Up to here its states are known, perhaps ahead of the kernel.
   [[nodiscard]] Instant accounted() const { return accounted_; }
 

@@ -28,9 +28,9 @@ class PixelSource {
   PixelSource& operator=(PixelSource&&) = delete;
   virtual ~PixelSource() = default;
 
-  /// The pixel with an index of the machine's PixelAllotment. Each is asked for once, by whichever
-  /// board takes its unit.
-  virtual SynthesizedPixel pixel(std::int64_t index) = 0;
+  /// The pixel with an index of the machine's PixelAllotment, valid until the next call. Each is
+  /// asked for once, by whichever board takes its unit.
+  virtual const SynthesizedPixel& pixel(std::int64_t index) = 0;
 
   /// What each board spends on preprocessing before its first pixel.
   [[nodiscard]] virtual firmware::Work preprocessing() const = 0;

@@ -44,7 +44,7 @@ Instant VideoSlots::clear_of(Instant access, Instant slot_start) const {
 Instant VideoSlots::earliest_access(Instant instant) const {
   const std::int64_t line = timing_.line_at(instant);
   Instant access = instant;
-  if (timing_.row_of_line(line) >= 0) {
+  if (timing_.is_active(line)) {
     const Instant active = timing_.active_start(line);
     const std::int64_t slot = instant < active ? 0 : slot_period_.index_at(instant - active);
     if (slot < slots_per_line_) {
@@ -55,7 +55,7 @@ Instant VideoSlots::earliest_access(Instant instant) const {
       return access == instant ? clear_of(access, active + slot_period_.times(slot + 1)) : access;
     }
   }
-  if (timing_.row_of_line(line + 1) >= 0) {
+  if (timing_.is_active(line + 1)) {
     access = clear_of(access, timing_.active_start(line + 1));
   }
   return access;

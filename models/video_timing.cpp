@@ -38,6 +38,9 @@ VideoTiming::VideoTiming(const VideoParameters& parameters, int width, int heigh
       (interlaced_ && first_line_field_2_ + rows_field_2 > lines_per_frame_)) {
     throw std::invalid_argument("the rows of the picture do not fit into the lines of a frame");
   }
+  for (std::int64_t line = 0; line < lines_per_frame_; ++line) {
+    active_.push_back(row_of_line(line) >= 0);
+  }
 }
 
 int VideoTiming::row_of_line(std::int64_t line_count) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "models/machine_parameters.hpp"
 #include "models/period.hpp"
@@ -41,6 +42,11 @@ class VideoTiming {
     return line_.times(line_count) + blanking_;
   }
 
+  /// Whether a line (counted from instant 0) shows a row.
+  [[nodiscard]] bool is_active(std::int64_t line_count) const {
+    return active_[static_cast<std::size_t>(line_count % lines_per_frame_)];
+  }
+
   /// The row that a line (counted from instant 0) shows, or -1.
   [[nodiscard]] int row_of_line(std::int64_t line_count) const;
 
@@ -63,6 +69,7 @@ class VideoTiming {
   Duration blanking_;
   Period line_;
   Period pixel_;
+  std::vector<bool> active_;  // by line of a frame
 };
 
 }  // namespace maquette::models

@@ -37,7 +37,7 @@ CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const 
 
 models::PixelRectangle CountedSource::useful_zone() const { return useful_zone_of(frame()); }
 
-models::SynthesizedPixel CountedSource::pixel(std::int64_t index) {
+const models::SynthesizedPixel& CountedSource::pixel(std::int64_t index) {
   const auto number = static_cast<std::size_t>(index / k_block_pixels);
   Block& block = blocks_[number];
   if (block.left == 0) {
@@ -46,12 +46,11 @@ models::SynthesizedPixel CountedSource::pixel(std::int64_t index) {
   if (block.waits()) {
     synthesise_from(number);
   }
-  const models::SynthesizedPixel pixel =
-      block.pixels[static_cast<std::size_t>(index % k_block_pixels)];
+  taken_ = block.pixels[static_cast<std::size_t>(index % k_block_pixels)];
   if (--block.left == 0) {
     block.pixels = {};
   }
-  return pixel;
+  return taken_;
 }
 
 /// Makes a block ready; several threads share it and those after it that wait, one by one.

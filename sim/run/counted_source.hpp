@@ -22,7 +22,7 @@ class CountedSource : public models::PixelSource {
   /// `threads` is at least 1.
   CountedSource(const PackedScene<firmware::Counted>& scene, const Machine& machine, int threads);
 
-  models::SynthesizedPixel pixel(std::int64_t index) override;
+  const models::SynthesizedPixel& pixel(std::int64_t index) override;
   [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
 
   [[nodiscard]] models::PixelRectangle useful_zone() const;
@@ -46,6 +46,7 @@ class CountedSource : public models::PixelSource {
   std::unique_ptr<PreparedScene<firmware::Counted>> scene_;
   std::unique_ptr<models::PixelAllotment> allotment_;
   std::vector<Block> blocks_;
+  models::SynthesizedPixel taken_{};  // the last one, whose block may be freed
   int threads_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Area> areas_;

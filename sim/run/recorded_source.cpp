@@ -7,7 +7,7 @@ RecordedSource::RecordedSource(const RecordedFrame& record, const Machine& machi
       allotment_(machine.parameters.allotment, record.useful_zone,
                  static_cast<int>(machine.parameters.boards.size())) {}
 
-models::SynthesizedPixel RecordedSource::pixel(std::int64_t index) {
+const models::SynthesizedPixel& RecordedSource::pixel(std::int64_t index) {
   const models::PixelPosition position = allotment_.position(index);
   const models::PixelRectangle& zone = record_.useful_zone;
   const auto row = static_cast<std::size_t>(position.row - zone.row0);

@@ -13,7 +13,7 @@ class RecordedSource : public models::PixelSource {
   /// `record` is kept by reference.
   RecordedSource(const RecordedFrame& record, const Machine& machine);
 
-  models::SynthesizedPixel pixel(std::int64_t index) override;
+  const models::SynthesizedPixel& pixel(std::int64_t index) override;
   [[nodiscard]] firmware::Work preprocessing() const override { return record_.preprocessing; }
 
  private:

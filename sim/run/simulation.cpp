@@ -55,11 +55,9 @@ Pixels pixels_of(const Scene& scene, const Machine& machine, const SimulationReq
 
 /// Share of the pixels that the boards have taken, 0 to 1.
 double fraction_taken(const models::CcettMachine& model, const models::PixelRectangle& zone) {
-  std::int64_t taken = 0;
-  for (const models::BoardStatistics& board : model.statistics().boards) {
-    taken += board.pixels;
-  }
-  return zone.pixels() == 0 ? 1 : static_cast<double>(taken) / static_cast<double>(zone.pixels());
+  return zone.pixels() == 0
+             ? 1
+             : static_cast<double>(model.pixels_taken()) / static_cast<double>(zone.pixels());
 }
 
 void run_kernel(const models::CcettMachine& model, const models::PixelRectangle& zone,
@@ -119,7 +117,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
   result.clocks = clocks_of(result.statistics, machine.parameters.board);
-  result.picture = model.frame_memory().picture();
+  if (request.picture) {
+    result.picture = model.frame_memory().picture();
+  }
   take_snapshots(model, request, result);
   return result;
 }

@@ -16,6 +16,7 @@ namespace maquette::sim {
 
 /// What to simulate besides scene and machine.
 struct SimulationRequest {
+  bool picture = true;                            ///< whether the result has it
   int threads = 1;                                ///< of the host, for synthesis
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
@@ -30,7 +31,7 @@ using Continue = std::function<bool(models::Duration simulated, double fraction)
 struct SimulationResult {
   Statistics statistics;
   OperationClocks clocks{};  ///< that the boards spent per operation class
-  models::Picture picture;   ///< the frame memory at the end
+  models::Picture picture;   ///< the frame memory at the end, when it was asked for
   std::vector<models::Picture> snapshots;
   std::vector<models::Picture> shown_snapshots;
   BusRecord trace;  ///< of the window, when one was asked for

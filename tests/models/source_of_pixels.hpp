@@ -22,21 +22,22 @@ class AllottedPixels : public PixelSource {
     preprocessing_[firmware::Operation::branch] = preprocessing_branches;
   }
 
-  SynthesizedPixel pixel(std::int64_t index) override {
+  const SynthesizedPixel& pixel(std::int64_t index) override {
     const PixelPosition position = allotment_.position(index);
-    SynthesizedPixel pixel{static_cast<std::uint16_t>(position.column),
-                           static_cast<std::uint16_t>(position.row),
-                           0,
-                           colour_(position),
-                           {1, 2, 3, 4},
-                           {}};
-    pixel.work[firmware::Operation::branch] = glue_(position);
-    return pixel;
+    pixel_ = {static_cast<std::uint16_t>(position.column),
+              static_cast<std::uint16_t>(position.row),
+              0,
+              colour_(position),
+              {1, 2, 3, 4},
+              {}};
+    pixel_.work[firmware::Operation::branch] = glue_(position);
+    return pixel_;
   }
 
   [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
 
  private:
+  SynthesizedPixel pixel_{};
   PixelAllotment allotment_;
   Colour colour_;
   Glue glue_;

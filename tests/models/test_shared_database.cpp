@@ -18,14 +18,15 @@ class LoadingPixels : public AllottedPixels {
   LoadingPixels(const PixelAllotment& allotment, std::function<std::uint32_t(PixelPosition)> loads)
       : AllottedPixels(allotment, colour, uneven_work, 5000), loads_(std::move(loads)) {}
 
-  SynthesizedPixel pixel(std::int64_t index) override {
-    SynthesizedPixel pixel = AllottedPixels::pixel(index);
-    pixel.work[Operation::load] = loads_({pixel.column, pixel.row});
-    return pixel;
+  const SynthesizedPixel& pixel(std::int64_t index) override {
+    pixel_ = AllottedPixels::pixel(index);
+    pixel_.work[Operation::load] = loads_({pixel_.column, pixel_.row});
+    return pixel_;
   }
 
  private:
   std::function<std::uint32_t(PixelPosition)> loads_;
+  SynthesizedPixel pixel_{};
 };
 
 struct Machine {
