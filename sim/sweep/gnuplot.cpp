@@ -75,7 +75,7 @@ std::string gnuplot_text(const std::string& text) {
   std::string result = "'";
   for (const char letter : text) {
     if (letter == '\n') {
-      result += "'.\"\\n\".'";
+      result += R"('."\n".')";
     } else {
       result.append(letter == '\'' ? 2 : 1, letter);
     }

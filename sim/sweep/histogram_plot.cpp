@@ -36,6 +36,7 @@ std::vector<std::vector<double>> bins_of(const std::vector<double>& results) {
       std::clamp(static_cast<int>(std::sqrt(results.size())), k_fewest_bins, k_most_bins);
   const double width = std::max((results.back() - first) / count, std::abs(first) * 1e-9);
   std::vector<std::vector<double>> bins;
+  bins.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     bins.push_back({first + (i + 0.5) * width, 0, width});
   }

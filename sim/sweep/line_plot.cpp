@@ -148,7 +148,7 @@ std::string settings_of(const Plot& plot, const PlotData& data, const Collection
           std::string(plot.log_y ? "graph 0.05\n" : "0\n");
   text += plot.series.empty()
               ? "set key below\n"
-              : "set key outside right top title " + gnuplot_text(plot.series) + "\n";
+              : "set key outside right top title " + axis_label(data, plot.series, 24) + "\n";
   return text;
 }
 
