@@ -68,7 +68,7 @@ std::string histogram_script(const Plot& plot, const PlotData& data) {
       fmt::format("set ylabel {}\n", gnuplot_text(fmt::format("points, of {}", results.size())));
   settings += "set yrange [0:*]\nset offsets 0, 0, graph 0.08, 0\n";
   settings += "set grid noxtics ytics\nset style fill solid 0.85 border rgb 'white'\n";
-  settings += "set key below\n";
+  settings += "set bmargin 6\nset key horizontal center bottom at screen 0.5, 0.02\n";
   settings += fmt::format(
       "set object rectangle from {}, graph 0 to {}, graph 1 behind fillcolor rgb '#FCE5CD' "
       "fillstyle solid 1 noborder\n",

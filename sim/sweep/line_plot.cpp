@@ -147,7 +147,7 @@ std::string settings_of(const Plot& plot, const PlotData& data, const Collection
   text += "set autoscale fix\nset offsets graph 0.03, graph 0.03, graph 0.05, " +
           std::string(plot.log_y ? "graph 0.05\n" : "0\n");
   text += plot.series.empty()
-              ? "set key below\n"
+              ? "set bmargin 6\nset key horizontal center bottom at screen 0.5, 0.02\n"
               : "set key outside right top title " + axis_label(data, plot.series, 24) + "\n";
   return text;
 }

@@ -43,7 +43,7 @@ std::string scatter_script(const Plot& plot, const PlotData& data) {
   settings += "set ylabel " + axis_label(data, plot.y, 60) + "\n";
   settings += plot.log_x ? "set logscale x\n" : "";
   settings += plot.log_y ? "set logscale y\n" : "";
-  settings += "set key below\n";
+  settings += "set bmargin 8\nset key horizontal center bottom at screen 0.5, 0.02\n";
   settings += "set autoscale fix\nset offsets graph 0.02, graph 0.02, graph 0.02, graph 0.02\n";
   std::string curves;
   const auto add = [&](const char* name, const std::vector<PlotPoint>& shown,

@@ -81,7 +81,7 @@ std::string settings_of(const Plot& plot, const PlotData& data, const std::vecto
                       static_cast<double>(bars.size()) + 0.7, least - 0.2 * width,
                       greatest + 0.2 * width);
   text += "set grid noytics xtics\nset style fill solid 0.85 noborder\n";
-  text += "set key below\n";
+  text += "set bmargin 6\nset key horizontal center bottom at screen 0.5, 0.02\n";
   return text;
 }
 
