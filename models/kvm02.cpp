@@ -134,7 +134,8 @@ bool Kvm02::gather() {
   pixels_.bytes.clear();
   pixels_.transaction.addresses.clear();
   while (has_pixel()) {
-    const SynthesizedPixel& pixel = source_.pixel(next_pixel_++);
+    // A copy: other boards ask for theirs while this one reads a shared database.
+    const SynthesizedPixel pixel = source_.pixel(next_pixel_++);
     compute(pixel.work);
     ++statistics_.pixels;
     statistics_.work.add(pixel.work);
