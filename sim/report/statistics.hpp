@@ -259,6 +259,7 @@ struct RayStatistics {
   std::int64_t reflected = 0;
   std::int64_t refracted = 0;
   std::int64_t shadow = 0;
+  std::int64_t total = 0;
 
   static constexpr auto fields() {
     using Self = RayStatistics;
@@ -266,7 +267,8 @@ struct RayStatistics {
         field("primary", "rays", "from the eye", &Self::primary),
         field("reflected", "rays", "off mirrors and smooth faces", &Self::reflected),
         field("refracted", "rays", "into and out of transparent bodies", &Self::refracted),
-        field("shadow", "rays", "towards a light", &Self::shadow));
+        field("shadow", "rays", "towards a light", &Self::shadow),
+        field("total", "rays", "of all kinds", &Self::total));
   }
 };
 

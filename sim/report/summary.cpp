@@ -72,7 +72,6 @@ std::string bus_lines(const BusStatistics& bus) {
 std::string ray_lines(const Statistics& statistics) {
   const auto& rays = statistics.rays;
   const auto pixels = static_cast<double>(statistics.frame.pixels_synthesised);
-  const auto total = rays.primary + rays.reflected + rays.refracted + rays.shadow;
   std::string text = fmt::format("\n{:<12}{:>14}{:>12}\n", "rays", "number", "per pixel");
   const auto line = [&text, pixels](const char* kind, std::int64_t count) {
     text += fmt::format("{:<12}{:>14}{:>12.3f}\n", kind, count,
@@ -82,7 +81,7 @@ std::string ray_lines(const Statistics& statistics) {
   line("reflected", rays.reflected);
   line("refracted", rays.refracted);
   line("shadow", rays.shadow);
-  line("all", total);
+  line("all", rays.total);
   return text;
 }
 

@@ -37,6 +37,8 @@ void add_totals(const models::WorkTotals& totals, Statistics& statistics) {
   statistics.rays.reflected += static_cast<std::int64_t>(totals.reflected);
   statistics.rays.refracted += static_cast<std::int64_t>(totals.refracted);
   statistics.rays.shadow += static_cast<std::int64_t>(totals.shadow);
+  statistics.rays.total += static_cast<std::int64_t>(totals.primary + totals.reflected +
+                                                     totals.refracted + totals.shadow);
 }
 
 /// Busy is what is not idle.
