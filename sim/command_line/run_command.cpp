@@ -179,6 +179,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       {"frame.png", encode_png(result.picture)},
       {"stats.json", statistics_json(result.statistics)},
       {"config.yaml", effective_configuration(description.scene, description.machine)}};
+  if (result.depths) {
+    files.push_back({"depth.png", encode_png(*result.depths)});
+  }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
   files.push_back({"manifest.json",

@@ -92,6 +92,20 @@ void take_snapshots(const models::CcettMachine& model, const SimulationRequest& 
   }
 }
 
+/// The depths as a picture, black is near.
+std::optional<models::Picture> depths_of(const models::FrameMemory& memory,
+                                         const PictureFormat& format) {
+  if (!format.has_depth) {
+    return std::nullopt;
+  }
+  models::Picture picture{format.width, format.height, {}};
+  for (const std::uint16_t depth : memory.depths()) {
+    constexpr std::uint32_t k_grey = 0x010101;
+    picture.pixels.push_back((depth >> 8U) * k_grey);
+  }
+  return picture;
+}
+
 /// The machine with RAM enough for what its boards are allowed to overflow it with.
 Machine with_room(const Machine& machine, const MemoryMap& map) {
   Machine roomy = machine;
@@ -119,6 +133,7 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   result.clocks = clocks_of(result.statistics, machine.parameters.board);
   if (request.picture) {
     result.picture = model.frame_memory().picture();
+    result.depths = depths_of(model.frame_memory(), picture_format_of(machine));
   }
   take_snapshots(model, request, result);
   return result;

@@ -30,8 +30,9 @@ using Continue = std::function<bool(models::Duration simulated, double fraction)
 /// What a simulation gives.
 struct SimulationResult {
   Statistics statistics;
-  OperationClocks clocks{};  ///< that the boards spent per operation class
-  models::Picture picture;   ///< the frame memory at the end, when it was asked for
+  OperationClocks clocks{};               ///< that the boards spent per operation class
+  models::Picture picture;                ///< the frame memory at the end, when it was asked for
+  std::optional<models::Picture> depths;  ///< top eight bits as greys, of a display with depths
   std::vector<models::Picture> snapshots;
   std::vector<models::Picture> shown_snapshots;
   BusRecord trace;  ///< of the window, when one was asked for

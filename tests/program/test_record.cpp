@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "sim/report/image_file.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::tests;
@@ -91,5 +92,21 @@ TEST_CASE("Records that do not belong to a run are refused and nothing is writte
 TEST_CASE("The paper's second machine keeps a depth with each pixel") {
   const ScratchDirectory scratch;
   require_good(run_into(scratch / "run", k_sphere, "--machine vax-11-750"));
-  CHECK_FALSE(content_of(scratch / "run" / "stats.json").empty());
+  const auto depths =
+      maquette::sim::decode_png(content_of(scratch / "run" / "depth.png"), "depth.png");
+  const auto picture =
+      maquette::sim::decode_png(content_of(scratch / "run" / "frame.png"), "frame.png");
+  REQUIRE(depths.pixels.size() == picture.pixels.size());
+  constexpr std::uint32_t k_farthest = 0xFFFFFF;
+  std::size_t nearer = 0;
+  for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
+    if (depths.pixels[i] != k_farthest) {
+      ++nearer;
+    } else {
+      REQUIRE(picture.pixels[i] == picture.pixels.front());  // the background
+    }
+  }
+  CHECK(nearer > depths.pixels.size() / 20);
+  require_good(run_into(scratch / "prototype", k_sphere, ""));
+  CHECK_FALSE(std::filesystem::exists(scratch / "prototype" / "depth.png"));
 }
