@@ -46,6 +46,15 @@ std::string board_lines(const Statistics& statistics) {
                         in_seconds(board.transfer), in_seconds(board.idle),
                         100 * ratio(in_seconds(board.compute), frame_time));
   }
+  text += fmt::format("  the longest at work is {:.2f} % above the mean\n",
+                      100 * statistics.frame.imbalance);
+  for (const auto& board : statistics.boards) {
+    if (board.claims > 0) {
+      text +=
+          fmt::format("  {:<14}claimed {} units in {}; {} tries found the lock taken\n", board.name,
+                      board.claims - 1, readable_duration(board.claim), board.claim_failed_tries);
+    }
+  }
   return text;
 }
 
@@ -54,6 +63,9 @@ std::string bus_lines(const BusStatistics& bus) {
       "\nbus             {} transfers, {:.3f} % busy; wait for grant: mean {}, longest {}\n",
       bus.transfers, 100 * bus.utilisation, readable_duration(bus.wait_mean),
       readable_duration(bus.wait_max));
+  if (bus.database_words > 0) {
+    text += fmt::format("  {} of them read the shared database\n", bus.database_words);
+  }
   for (const auto& master : bus.masters) {
     text += fmt::format("  {:<14}waited {} in {} transfers, 99 % at most {}, longest {}\n",
                         master.name, readable_duration(master.wait), master.transfers,

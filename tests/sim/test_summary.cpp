@@ -48,6 +48,23 @@ TEST_CASE("the summary says what a user asks first") {
   CHECK_FALSE(contains(text, "PARTIAL"));
 }
 
+TEST_CASE("the summary tells of claims and a shared database only where there are any") {
+  Statistics statistics = example();
+  const std::string without = summarise(statistics, {}, 1.0);
+  CHECK_FALSE(contains(without, "claimed"));
+  CHECK_FALSE(contains(without, "database"));
+  statistics.boards[1].claims = 1001;
+  statistics.boards[1].claim_failed_tries = 17;
+  statistics.bus.database_words = 123;
+  statistics.frame.imbalance = 0.25;
+  const std::string with = summarise(statistics, {}, 1.0);
+  CHECK(contains(with, "kvm02-1       claimed 1000 units"));
+  CHECK(contains(with, "17 tries found the lock taken"));
+  CHECK_FALSE(contains(with, "kvm02-0       claimed"));
+  CHECK(contains(with, "123 of them read the shared database"));
+  CHECK(contains(with, "25.00 % above the mean"));
+}
+
 TEST_CASE("the lines of the board table are aligned") {
   std::istringstream lines(summarise(example(), {}, 1.0));
   std::vector<std::size_t> lengths;
