@@ -27,7 +27,8 @@ struct ControlPolygon {
 namespace bernstein {
 
 /// Rows of Pascal's triangle.
-inline constexpr double k_binomials[k_degree_limit + 1][k_degree_limit + 1] = {
+template <class Real>
+inline constexpr Real k_binomials[k_degree_limit + 1][k_degree_limit + 1] = {
     {1},
     {1, 1},
     {1, 2, 1},
@@ -46,8 +47,8 @@ Polynomial<Real> polynomial_of(const ControlPolygon<Real>& polygon) {
   polynomial.degree = polygon.degree;
   for (int i = 0; i <= polygon.degree; ++i) {
     charge<Real>(Operation::loop);
-    polynomial.terms[i] =
-        polygon.ordinates[i] * constant<Real>(bernstein::k_binomials[polygon.degree][i]);
+    charge<Real>(Operation::load);
+    polynomial.terms[i] = polygon.ordinates[i] * bernstein::k_binomials<Real>[polygon.degree][i];
   }
   return polynomial;
 }
@@ -58,8 +59,8 @@ ControlPolygon<Real> control_polygon_of(const Polynomial<Real>& polynomial) {
   polygon.degree = polynomial.degree;
   for (int i = 0; i <= polynomial.degree; ++i) {
     charge<Real>(Operation::loop);
-    polygon.ordinates[i] =
-        polynomial.terms[i] / constant<Real>(bernstein::k_binomials[polynomial.degree][i]);
+    charge<Real>(Operation::load);
+    polygon.ordinates[i] = polynomial.terms[i] / bernstein::k_binomials<Real>[polynomial.degree][i];
   }
   return polygon;
 }

@@ -52,7 +52,8 @@ template <class Real>
 Real step_from(const Jet<Real>& jet, int degree, bool rising) {
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
-  const Real n = constant<Real>(bernstein::k_binomials[degree][1]);
+  charge<Real>(Operation::load);
+  const Real n = bernstein::k_binomials<Real>[degree][1];
   const Real inverse = one / jet.slope;
   const Real newton = jet.value * inverse;
   const Real bend = newton * (jet.half_curvature + jet.half_curvature) * inverse;
