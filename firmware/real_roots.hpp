@@ -40,12 +40,15 @@ bool is_indivisible(const Span<Real>& span) {
   return span.bisections >= k_bisection_limit<Real> || span.width <= span.low * spacings<Real>(1);
 }
 
+/// Where rounding makes more roots than there is room for, two of them are left out.
 template <class Real>
 void add(RealRoots<Real>& roots, Real at) {
   charge<Real>(Operation::branch);
   charge<Real>(Operation::store);
   if (roots.count < k_degree_limit) {
     roots.at[roots.count++] = at;
+  } else {
+    --roots.count;
   }
 }
 
@@ -138,6 +141,17 @@ void isolate(const Curve& curve, const Span<Real>& span, RealRoots<Real>& roots)
 }
 
 }  // namespace real_roots
+
+/// The roots in [0, 1] of the polynomial of a curve that is bisected in a form of its own.
+template <class Real, class Curve>
+RealRoots<Real> roots_of_curve(const Curve& curve) {
+  RealRoots<Real> roots;
+  roots.count = 0;
+  roots.steps = 0;
+  real_roots::isolate(curve, real_roots::Span<Real>{constant<Real>(0), constant<Real>(1), 0},
+                      roots);
+  return roots;
+}
 
 /// The roots in [0, 1] of a polynomial. Pairs that rounding does not separate may be missing,
 /// always both of them. The zero polynomial has none.
