@@ -22,6 +22,7 @@ struct Measurement {
 constexpr Measurement k_measurements[] = {
     {"simulation", maquette::benchmark::measure_simulation},
     {"counting", maquette::benchmark::measure_counting},
+    {"revolution", maquette::benchmark::measure_revolution},
     {"two_threads", maquette::benchmark::measure_two_threads}};
 
 std::vector<std::string> measurement_names() {

@@ -33,6 +33,9 @@ std::vector<Row> measure_two_threads(const Paths& paths);
 /// Synthesis alone, in this process: counting type against float.
 std::vector<Row> measure_counting(const Paths& paths);
 
+/// Rays against surfaces of revolution, in this process.
+std::vector<Row> measure_revolution(const Paths& paths);
+
 /// Writes a picture of one pixel: what a process costs before it renders anything.
 void render_nothing(const std::string& directory);
 
