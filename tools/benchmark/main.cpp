@@ -19,11 +19,11 @@ struct Measurement {
   std::vector<Row> (*measure)(const Paths& paths);
 };
 
-constexpr Measurement k_measurements[] = {
-    {"simulation", maquette::benchmark::measure_simulation},
-    {"counting", maquette::benchmark::measure_counting},
-    {"revolution", maquette::benchmark::measure_revolution},
-    {"two_threads", maquette::benchmark::measure_two_threads}};
+constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::measure_simulation},
+                                          {"counting", maquette::benchmark::measure_counting},
+                                          {"two_threads", maquette::benchmark::measure_two_threads},
+                                          {"sweep", maquette::benchmark::measure_sweep},
+                                          {"revolution", maquette::benchmark::measure_revolution}};
 
 std::vector<std::string> measurement_names() {
   std::vector<std::string> names;

@@ -30,6 +30,9 @@ std::vector<Row> measure_simulation(const Paths& paths);
 /// The same with two threads.
 std::vector<Row> measure_two_threads(const Paths& paths);
 
+/// A study of one recorded frame, with a process per processor: what a machine variation costs.
+std::vector<Row> measure_sweep(const Paths& paths);
+
 /// Synthesis alone, in this process: counting type against float.
 std::vector<Row> measure_counting(const Paths& paths);
 
