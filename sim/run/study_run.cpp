@@ -26,6 +26,7 @@ std::optional<PointResult> simulate_point(const Description& description,
                                           const RecordedFrame* record) {
   SimulationRequest request;
   request.record = record;
+  request.picture = false;
   try {
     const SimulationResult result =
         simulate(description.scene, description.machine, request,
