@@ -8,6 +8,6 @@ namespace maquette::sim {
 
 /// Synthesises every pixel of a scene's useful zone by the native firmware, on `threads` threads of
 /// the host (at least 1), whose number changes nothing.
-RecordedFrame record_frame(const Scene& scene, const PictureFormat& size, int threads);
+RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads);
 
 }  // namespace maquette::sim
