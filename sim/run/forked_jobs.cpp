@@ -26,6 +26,14 @@ void let_signals_interrupt() {
   }
 }
 
+sigset_t ending_signals() {
+  sigset_t signals{};
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  return signals;
+}
+
 JobEnd end_of(int status) {
   if (WIFSIGNALED(status)) {
     const int signal = WTERMSIG(status);
@@ -58,12 +66,20 @@ class Pool {
 
  private:
   void start(std::size_t job) {
+    // A signal to the child waits until it has given up the parent's handlers.
+    sigset_t before{};
+    const sigset_t ending = ending_signals();
+    ::sigprocmask(SIG_BLOCK, &ending, &before);
     const pid_t process = ::fork();
+    if (process == 0) {
+      std::signal(SIGINT, SIG_DFL);
+      std::signal(SIGTERM, SIG_DFL);
+      ::sigprocmask(SIG_SETMASK, &before, nullptr);
+      ::_exit(jobs_.run(job));  // what the parent holds is not ours to destroy
+    }
+    ::sigprocmask(SIG_SETMASK, &before, nullptr);
     if (process < 0) {
       throw std::runtime_error(fmt::format("no process can be made: {}", std::strerror(errno)));
-    }
-    if (process == 0) {
-      ::_exit(jobs_.run(job));  // what the parent holds is not ours to destroy
     }
     running_.emplace(process, job);
   }
