@@ -128,8 +128,9 @@ bool extract(const std::vector<ExrChannel>& channels, std::size_t index,
 
 /// What is wrong with the header, nothing when all is well.
 std::string read_header(const ExrImage& image, RecordedFrame& frame) {
-  frame.key = {
-      image.attributes.at(k_scene), image.attributes.at(k_firmware), {image.width, image.height}};
+  frame.key = {image.attributes.at(k_scene),
+               image.attributes.at(k_firmware),
+               {image.width, image.height, image.attributes.at(k_has_depth) == "1"}};
   std::array<int, 4> zone{};
   if (frame.key.scene_sha1.empty() || !split(image.attributes.at(k_zone), zone) ||
       !split(image.attributes.at(k_preprocessing), frame.preprocessing.counts)) {

@@ -42,6 +42,7 @@ RecordedFrame random_frame(std::mt19937& random) {
   RecordedFrame frame;
   const auto number = [&random](int end) { return static_cast<int>(random() % unsigned(end)); };
   frame.key = {std::string(40, 'a'), std::string(40, 'b'), {1 + number(60), 1 + number(40)}};
+  frame.key.format.has_depth = random() % 2 == 0;
   auto& zone = frame.useful_zone;
   zone.width = number(frame.key.format.width + 1);
   zone.height = zone.width == 0 ? 0 : 1 + number(frame.key.format.height);
