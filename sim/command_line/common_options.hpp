@@ -9,6 +9,9 @@
 
 namespace maquette::sim {
 
+/// Exit code of an interrupted command: 128 + SIGINT, as shells have it.
+inline constexpr int k_exit_interrupted = 130;
+
 /// Options that several verbs share.
 struct CommonOptions {
   std::string scene;

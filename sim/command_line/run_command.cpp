@@ -29,8 +29,6 @@ namespace maquette::sim {
 
 namespace {
 
-constexpr int k_exit_interrupted = 130;  // 128 + SIGINT, as shells have it
-
 struct RunOptions {
   CommonOptions common;
   std::string outdir;

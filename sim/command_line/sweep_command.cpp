@@ -25,8 +25,6 @@ namespace maquette::sim {
 
 namespace {
 
-constexpr int k_exit_interrupted = 130;  // 128 + SIGINT, as shells have it
-
 constexpr const char* k_processors = "processors";
 constexpr const char* k_frame_time = "frame.time_s";
 
