@@ -73,7 +73,7 @@ Real refined(const Polynomial<Real>& polynomial, int& steps) {
   Real s = high;
   Real last_move = high;
   for (int step = 0; step < k_step_limit; ++step) {
-    charge<Real>(Operation::loop);
+    charge<Real>(Operation::root_step);
     charge<Real>(Operation::branch, 4);
     ++steps;
     const Jet<Real> jet = jet_at(polynomial, s);
@@ -111,6 +111,7 @@ template <class Real>
 Real refine_root(const Polynomial<Real>& polynomial, int& steps) {
   const Real one = constant<Real>(1);
   const int degree = polynomial.degree;
+  charge<Real>(Operation::root);
   Real middle = polynomial.terms[0];
   for (int i = 1; i <= degree; ++i) {
     charge<Real>(Operation::loop);

@@ -28,14 +28,16 @@ enum class Operation : std::uint8_t {
   exponential,
   power,
   arc_cosine,
-  load,    ///< a 32-bit word read from the scene database
-  store,   ///< a 32-bit word written to a work area
-  branch,  ///< a decision on integers or flags
-  loop,    ///< one turn of a loop: index, bound, branch back
-  call     ///< one call of a firmware function and its return
+  load,      ///< a 32-bit word read from the scene database
+  store,     ///< a 32-bit word written to a work area
+  branch,    ///< a decision on integers or flags
+  loop,      ///< one turn of a loop: index, bound, branch back
+  call,      ///< one call of a firmware function and its return
+  root,      ///< one call of the function that refines a root
+  root_step  ///< one turn of its loop: a step of Laguerre's method
 };
 
-inline constexpr int k_operation_count = static_cast<int>(Operation::call) + 1;
+inline constexpr int k_operation_count = static_cast<int>(Operation::root_step) + 1;
 
 /// The field's name of each operation, in the order of the enumeration: keys of cost tables and of
 /// `work` in stats.json.
@@ -60,7 +62,9 @@ inline constexpr const char* k_operation_names[k_operation_count] = {"add",
                                                                      "store",
                                                                      "branch",
                                                                      "loop",
-                                                                     "call"};
+                                                                     "call",
+                                                                     "root",
+                                                                     "root_step"};
 
 /// Counts per operation class: what a pixel (or the preprocessing) cost, never seconds.
 struct Work {

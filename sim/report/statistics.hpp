@@ -272,6 +272,21 @@ struct RayStatistics {
   }
 };
 
+/// Roots refined by Laguerre's method, of intersections and of points settled on curved surfaces
+/// (paper, section IV.2.4: three to five steps).
+struct RootStatistics {
+  std::uint64_t found = 0;
+  std::uint64_t steps = 0;
+  double steps_per_root = 0;
+
+  static constexpr auto fields() {
+    using Self = RootStatistics;
+    return std::make_tuple(field("found", "roots", "of polynomials, refined", &Self::found),
+                           field("steps", "steps", "of Laguerre's method", &Self::steps),
+                           field("steps_per_root", "1", "mean", &Self::steps_per_root));
+  }
+};
+
 /// All that a run determines: equal inputs give equal statistics, on any host.
 struct Statistics {
   FrameStatistics frame;
@@ -279,6 +294,7 @@ struct Statistics {
   std::vector<BoardStatistics> boards;
   BusStatistics bus;
   RayStatistics rays;
+  RootStatistics roots;
   OperationCounts work{};
   OperationCounts preprocess_work{};
   bool partial = false;
@@ -290,6 +306,7 @@ struct Statistics {
         field("frame", "", "", &Self::frame), field("useful_zone", "", "", &Self::useful_zone),
         field("boards", "", "in board order; states sum to the frame time", &Self::boards),
         field("bus", "", "", &Self::bus), field("rays", "", "of all pixels", &Self::rays),
+        field("roots", "", "", &Self::roots),
         field("work", "operations", "of all pixels, per operation class", &Self::work),
         field("preprocess_work", "operations", "of each board, per operation class",
               &Self::preprocess_work),

@@ -41,6 +41,15 @@ void add_totals(const models::WorkTotals& totals, Statistics& statistics) {
                                                      totals.refracted + totals.shadow);
 }
 
+RootStatistics roots_of(const OperationCounts& work) {
+  RootStatistics roots;
+  roots.found = work[static_cast<std::size_t>(firmware::Operation::root)];
+  roots.steps = work[static_cast<std::size_t>(firmware::Operation::root_step)];
+  roots.steps_per_root =
+      roots.found == 0 ? 0 : static_cast<double>(roots.steps) / static_cast<double>(roots.found);
+  return roots;
+}
+
 /// Busy is what is not idle.
 double imbalance_of(const models::MachineStatistics& model) {
   models::Duration longest{};
@@ -86,6 +95,7 @@ Statistics frame_statistics(const models::MachineStatistics& model, const Machin
     statistics.boards.push_back(board_statistics(model.boards[i], i, model.frame_time));
     add_totals(model.boards[i].work, statistics);
   }
+  statistics.roots = roots_of(statistics.work);
   statistics.bus = contention_statistics(model);
   std::copy(std::begin(preprocessing.counts), std::end(preprocessing.counts),
             statistics.preprocess_work.begin());
