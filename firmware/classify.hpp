@@ -27,7 +27,7 @@ struct RayQuery {
 template <class Real>
 bool is_left_behind(const Database<Real>& database, const RayQuery<Real>& query, NodeIndex node) {
   charge<Real>(Operation::branch);
-  return node == query.left_behind && primitive_of<Real>(database.leaves[node].kind).hit_limit == 2;
+  return node == query.left_behind && primitive_of<Real>(database.leaves[node].kind).is_convex;
 }
 
 template <class Real>
@@ -58,18 +58,11 @@ Ray<Real> local_ray(const PreparedLeaf<Real>& leaf, const RayQuery<Real>& query)
           transform_direction(leaf.from_screen, query.ray.direction)};
 }
 
-/// Crossings of a ray with a leaf, written from `first` on; spans behind the origin or beyond the
-/// reach are left out. Returns their number.
+/// Makes crossings with a leaf of hits, written from `first` on; spans behind the origin or beyond
+/// the reach are left out. Returns their number.
 template <class Real>
-std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
-                        Crossing<Real>* first) {
-  const Leaf<Real>& leaf = frame.database.leaves[node];
-  charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::call, 2);
-  Hit<Real> hits[k_primitive_hit_limit];
-  const int hit_count = primitive_of<Real>(leaf.kind).intersect(
-      local_ray(frame.prepared.leaves[node], query),
-      frame.database.parameters + leaf.first_parameter, hits);
+std::int32_t crossings_of_hits(const RayQuery<Real>& query, NodeIndex node, SurfaceIndex surface,
+                               const Hit<Real>* hits, int hit_count, Crossing<Real>* first) {
   std::int32_t count = 0;
   for (int i = 0; i < hit_count; i += 2) {
     charge<Real>(Operation::loop);
@@ -80,10 +73,50 @@ std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, N
       continue;
     }
     charge<Real>(Operation::store, 6);
-    first[count++] = {in.distance, node, in.face, false, leaf.surface};
+    first[count++] = {in.distance, node, in.face, false, surface};
     first[count++] = {out.distance, node, out.face, true, k_void};
   }
   return count;
+}
+
+/// Crossings of a ray with a leaf in which it has at most `limit` hits.
+template <int limit, class Real>
+[[gnu::always_inline]] inline std::int32_t cross_primitive(const Frame<Real>& frame,
+                                                           const RayQuery<Real>& query,
+                                                           NodeIndex node, Crossing<Real>* first) {
+  const Leaf<Real>& leaf = frame.database.leaves[node];
+  charge<Real>(Operation::load, 2);
+  charge<Real>(Operation::call, 2);
+  Hit<Real> hits[limit];
+  const int hit_count = primitive_of<Real>(leaf.kind).intersect(
+      local_ray(frame.prepared.leaves[node], query),
+      frame.database.parameters + leaf.first_parameter, hits);
+  return crossings_of_hits(query, node, leaf.surface, hits, hit_count, first);
+}
+
+template <class Real>
+[[gnu::noinline]] std::int32_t cross_convex(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                            NodeIndex node, Crossing<Real>* first) {
+  return cross_primitive<k_convex_hit_limit>(frame, query, node, first);
+}
+
+/// Apart, so that scenes without such primitives spare its stack.
+template <class Real>
+[[gnu::noinline]] std::int32_t cross_spans(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                           NodeIndex node, Crossing<Real>* first) {
+  return cross_primitive<k_primitive_hit_limit>(frame, query, node, first);
+}
+
+template <class Real>
+std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
+                        Crossing<Real>* first) {
+  if (frame.database.needs.several_spans) {
+    charge<Real>(Operation::branch);
+    if (!primitive_of<Real>(frame.database.leaves[node].kind).is_convex) {
+      return cross_spans(frame, query, node, first);
+    }
+  }
+  return cross_convex(frame, query, node, first);
 }
 
 /// Crossings of a ray with a node, written from `first` on, in order; returns their number. Where

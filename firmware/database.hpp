@@ -17,8 +17,8 @@ inline constexpr NodeIndex k_no_node = 0xFFFFFFFF;
 /// The medium outside of every body.
 inline constexpr SurfaceIndex k_void = 0xFFFF;
 
-enum class PrimitiveKind : std::uint8_t { half_space, box, sphere, cylinder, cone };
-inline constexpr int k_primitive_kind_count = 5;
+enum class PrimitiveKind : std::uint8_t { half_space, box, sphere, cylinder, cone, revolution };
+inline constexpr int k_primitive_kind_count = 6;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 
@@ -79,6 +79,7 @@ struct Observer {
 /// What of the firmware a scene needs; the rest is neither run nor packed nor charged.
 struct Needs {
   bool primitives[k_primitive_kind_count];
+  bool several_spans;  ///< a primitive in which a ray may have more than one span
   bool unions;
   bool intersections;
   bool differences;

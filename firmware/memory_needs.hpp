@@ -76,8 +76,9 @@ struct CrossingNeeds {
 };
 
 template <class Real>
-CrossingNeeds crossing_needs_of_leaf(const Leaf<Real>& leaf) {
-  const std::int64_t hits = primitive_of<Real>(leaf.kind).hit_limit;
+CrossingNeeds crossing_needs_of_leaf(const Database<Real>& database, const Leaf<Real>& leaf) {
+  const std::int64_t hits =
+      primitive_of<Real>(leaf.kind).hit_limit(database.parameters + leaf.first_parameter);
   return {hits, hits};
 }
 

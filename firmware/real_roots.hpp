@@ -16,10 +16,20 @@ template <class Real>
 struct RealRoots {
   Real at[k_degree_limit];  ///< in ascending order
   int count;
+  int limit;  ///< the degree of the polynomial
   int steps;  ///< of Laguerre's method, all roots together
 };
 
 namespace real_roots {
+
+template <class Real>
+RealRoots<Real> none_of(int degree) {
+  RealRoots<Real> roots;
+  roots.count = 0;
+  roots.limit = degree;
+  roots.steps = 0;
+  return roots;
+}
 
 /// The part of [0, 1] that an isolation looks at.
 template <class Real>
@@ -40,12 +50,12 @@ bool is_indivisible(const Span<Real>& span) {
   return span.bisections >= k_bisection_limit<Real> || span.width <= span.low * spacings<Real>(1);
 }
 
-/// Where rounding makes more roots than there is room for, two of them are left out.
+/// Where rounding makes more roots than the degree allows, two of them are left out.
 template <class Real>
 void add(RealRoots<Real>& roots, Real at) {
   charge<Real>(Operation::branch);
   charge<Real>(Operation::store);
-  if (roots.count < k_degree_limit) {
+  if (roots.count < roots.limit) {
     roots.at[roots.count++] = at;
   } else {
     --roots.count;
@@ -142,12 +152,11 @@ void isolate(const Curve& curve, const Span<Real>& span, RealRoots<Real>& roots)
 
 }  // namespace real_roots
 
-/// The roots in [0, 1] of the polynomial of a curve that is bisected in a form of its own.
+/// The roots in [0, 1] of the polynomial, of the given degree, of a curve that is bisected in a
+/// form of its own.
 template <class Real, class Curve>
-RealRoots<Real> roots_of_curve(const Curve& curve) {
-  RealRoots<Real> roots;
-  roots.count = 0;
-  roots.steps = 0;
+RealRoots<Real> roots_of_curve(const Curve& curve, int degree) {
+  RealRoots<Real> roots = real_roots::none_of<Real>(degree);
   real_roots::isolate(curve, real_roots::Span<Real>{constant<Real>(0), constant<Real>(1), 0},
                       roots);
   return roots;
@@ -157,9 +166,7 @@ RealRoots<Real> roots_of_curve(const Curve& curve) {
 /// always both of them. The zero polynomial has none.
 template <class Real>
 RealRoots<Real> roots_of(const Polynomial<Real>& polynomial) {
-  RealRoots<Real> roots;
-  roots.count = 0;
-  roots.steps = 0;
+  RealRoots<Real> roots = real_roots::none_of<Real>(polynomial.degree);
   const real_roots::Span<Real> whole{constant<Real>(0), constant<Real>(1), 0};
   charge<Real>(Operation::call);
   if (!real_roots::add_isolated(polynomial, whole, roots)) {

@@ -18,7 +18,7 @@ struct Hit {
 template <class Real>
 struct Primitive {
   /// Writes the hits of a ray, in and out in turn and in order, also those behind its origin.
-  /// Returns their number, which is even and at most `hit_limit`.
+  /// Returns their number, which is even and at most what `hit_limit` says.
   int (*intersect)(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits);
   /// The point of the face nearest to a point that rounding has moved off it.
   Vector<Real> (*settle)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
@@ -26,10 +26,20 @@ struct Primitive {
   Vector<Real> (*normal)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
   /// A box around the primitive; returns false when there is none.
   bool (*bounds)(const Real* parameters, Box<Real>& box);
-  int hit_limit;
+  /// The most hits that a ray has with the primitive of these parameters.
+  int (*hit_limit)(const Real* parameters);
+  /// A ray has one span in it or none: what it has left it will not meet again.
+  bool is_convex;
 };
 
+inline constexpr int k_convex_hit_limit = 2;
+
 /// The most hits that any primitive has on a ray.
-inline constexpr int k_primitive_hit_limit = 2;
+inline constexpr int k_primitive_hit_limit = 258;
+
+template <class Real>
+int convex_hit_limit(const Real* /*parameters*/) {
+  return k_convex_hit_limit;
+}
 
 }  // namespace maquette::firmware

@@ -4,6 +4,7 @@
 #include "firmware/primitives/cone.hpp"
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/half_space.hpp"
+#include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/sphere.hpp"
 
 namespace maquette::firmware {
@@ -12,12 +13,18 @@ namespace maquette::firmware {
 template <class Real>
 inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
     {half_space::intersect<Real>, half_space::settle<Real>, half_space::normal<Real>,
-     half_space::bounds<Real>, 2},
-    {box::intersect<Real>, box::settle<Real>, box::normal<Real>, box::bounds<Real>, 2},
-    {sphere::intersect<Real>, sphere::settle<Real>, sphere::normal<Real>, sphere::bounds<Real>, 2},
+     half_space::bounds<Real>, convex_hit_limit<Real>, true},
+    {box::intersect<Real>, box::settle<Real>, box::normal<Real>, box::bounds<Real>,
+     convex_hit_limit<Real>, true},
+    {sphere::intersect<Real>, sphere::settle<Real>, sphere::normal<Real>, sphere::bounds<Real>,
+     convex_hit_limit<Real>, true},
     {cylinder::intersect<Real>, cylinder::settle<Real>, cylinder::normal<Real>,
-     cylinder::bounds<Real>, 2},
-    {cone::intersect<Real>, cone::settle<Real>, cone::normal<Real>, cone::bounds<Real>, 2}};
+     cylinder::bounds<Real>, convex_hit_limit<Real>, true},
+    {cone::intersect<Real>, cone::settle<Real>, cone::normal<Real>, cone::bounds<Real>,
+     convex_hit_limit<Real>, true},
+    {revolution::intersect<Real>, revolution::settle<Real>, revolution::normal<Real>,
+     revolution::bounds<Real>, revolution::hit_limit<Real>, false},
+};
 
 template <class Real>
 constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {

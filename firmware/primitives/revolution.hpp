@@ -13,7 +13,9 @@
 namespace maquette::firmware::revolution {
 
 inline constexpr int k_section_limit = 32;
-inline constexpr int k_hit_limit = k_section_limit * k_section_hit_limit + 2;
+inline constexpr int k_tree_height = 5;  ///< of the binary tree over so many sections
+inline constexpr int k_hit_limit = k_section_limit * k_section_degree + 2;
+static_assert(k_hit_limit <= k_primitive_hit_limit);
 inline constexpr std::uint8_t k_first_disc = k_section_limit;
 inline constexpr std::uint8_t k_last_disc = k_section_limit + 1;
 inline constexpr std::ptrdiff_t k_header_reals = 2;
@@ -176,6 +178,11 @@ Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* pa
   }
   const Real ratio = on.change_z / radius;
   return {point.x * ratio, point.y * ratio, -on.change_r};
+}
+
+template <class Real>
+int hit_limit(const Real* parameters) {
+  return to_integer(parameters[0]) * k_section_degree + 2;
 }
 
 template <class Real>

@@ -15,8 +15,8 @@ inline constexpr std::ptrdiff_t k_point_reals = 2;
 /// Reals from one section to the next: four points, the last of them shared.
 inline constexpr std::ptrdiff_t k_section_stride = 3 * k_point_reals;
 
-/// The most roots that a section gives.
-inline constexpr int k_section_hit_limit = k_degree_limit;
+/// Degree of a section's equation: the most hits that it gives.
+inline constexpr int k_section_degree = 6;
 
 /// Rays whose direction is within so many spacings of perpendicular to the axis stay at one height
 /// within the rounding of their points.
@@ -248,7 +248,7 @@ int intersect_section(const AxialRay<Real>& ray, const Real* points, std::uint8_
     return intersect_level(ray, points, face, hits);
   }
   const SectionCurve<Real> curve = section_curve(ray, points);
-  const RealRoots<Real> roots = roots_of_curve<Real>(curve);
+  const RealRoots<Real> roots = roots_of_curve<Real>(curve, k_section_degree);
   for (int i = 0; i < roots.count; ++i) {
     charge<Real>(Operation::loop);
     hits[i] = {ray.distance(place_at(ray, curve, points, roots.at[i])), face};

@@ -22,17 +22,18 @@ struct KindName {
   ObjectKind kind;
 };
 
-constexpr std::array<KindName, 8> k_kinds = {{{"half_space", ObjectKind::half_space},
+constexpr std::array<KindName, 9> k_kinds = {{{"half_space", ObjectKind::half_space},
                                               {"box", ObjectKind::box},
                                               {"sphere", ObjectKind::sphere},
                                               {"cylinder", ObjectKind::cylinder},
                                               {"cone", ObjectKind::cone},
+                                              {"revolution", ObjectKind::revolution},
                                               {"union", ObjectKind::union_of},
                                               {"intersection", ObjectKind::intersection},
                                               {"difference", ObjectKind::difference}}};
 
 constexpr std::string_view k_kind_list =
-    "half_space, box, sphere, cylinder, cone, union, intersection, difference";
+    "half_space, box, sphere, cylinder, cone, revolution, union, intersection, difference";
 
 bool is_operator(ObjectKind kind) {
   return kind == ObjectKind::union_of || kind == ObjectKind::intersection ||
@@ -98,18 +99,23 @@ void check_object_keys(const YamlNode& node) {
   check_keys(node, "object", allowed);
 }
 
+void check_sphere(const YamlNode& node) {
+  const YamlNode* radius = node.find("radius");
+  const YamlNode* radii = node.find("radii");
+  if ((radius == nullptr) == (radii == nullptr)) {
+    fail(radii == nullptr ? node.place : radii->place,
+         "sphere: one of radius, radii is allowed and needed");
+  }
+}
+
 void read_primitive(const YamlEntry& entry, Object& object) {
   FieldReader reader{entry.value, entry.key};
   declare_primitive(reader, object);
   reader.finish();
-  if (object.kind != ObjectKind::sphere) {
-    return;
-  }
-  const YamlNode* radius = entry.value.find("radius");
-  const YamlNode* radii = entry.value.find("radii");
-  if ((radius == nullptr) == (radii == nullptr)) {
-    const YamlPlace& place = radii == nullptr ? entry.value.place : radii->place;
-    fail(place, "sphere: one of radius, radii is allowed and needed");
+  if (object.kind == ObjectKind::sphere) {
+    check_sphere(entry.value);
+  } else if (const auto* revolution = std::get_if<RevolutionShape>(&object.shape)) {
+    check_revolution(*revolution, entry.value);
   }
 }
 
@@ -202,12 +208,7 @@ YamlNode write_object(const Object& object) {
     append(node, kind->name, yaml_sequence(std::move(sons)));
     return node;
   }
-  Object primitive;
-  primitive.kind = object.kind;
-  primitive.size = object.size;
-  primitive.radius = object.radius;
-  primitive.top_radius = object.top_radius;
-  primitive.height = object.height;
+  Object primitive = object;
   FieldWriter writer;
   declare_primitive(writer, primitive);
   append(node, kind->name, writer.take());

@@ -5,8 +5,10 @@
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "sim/description/shapes/revolution_shape.hpp"
 #include "sim/description/source_position.hpp"
 
 namespace maquette::sim {
@@ -62,10 +64,14 @@ enum class ObjectKind {
   sphere,
   cylinder,
   cone,
+  revolution,
   union_of,
   intersection,
   difference
 };
+
+/// What some primitives need besides sizes; the alternative goes with the kind of the object.
+using Shape = std::variant<std::monostate, RevolutionShape>;
 
 /// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
 /// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.
@@ -78,6 +84,7 @@ struct Object {
   double radius = 1;         ///< of a cylinder; of a cone at its base
   double top_radius = 0;     ///< of a cone; 0 is a pointed one
   double height = 1;         ///< of a cylinder or cone
+  Shape shape;               ///< of a primitive with more to say
   std::vector<Object> sons;  ///< of operators; two or more
   SourcePosition position_in_file;
 };

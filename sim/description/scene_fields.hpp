@@ -4,6 +4,7 @@
 
 #include "sim/description/declaration.hpp"
 #include "sim/description/scene.hpp"
+#include "sim/description/shapes/revolution_fields.hpp"
 #include "sim/description/value_types.hpp"
 
 /// Every parameter of a scene besides its object tree, declared once.
@@ -114,6 +115,15 @@ void declare_sphere(Visitor& visitor, Object& object) {
   object.size = radii ? *radii : Vector3{radius.value_or(1)};
 }
 
+/// The object's shape, made if it has none yet.
+template <class Kind>
+Kind& shape_of(Object& object) {
+  if (!std::holds_alternative<Kind>(object.shape)) {
+    object.shape = Kind{};
+  }
+  return std::get<Kind>(object.shape);
+}
+
 /// The size of a primitive; operators have none.
 template <class Visitor>
 void declare_primitive(Visitor& visitor, Object& object) {
@@ -134,6 +144,9 @@ void declare_primitive(Visitor& visitor, Object& object) {
       visitor.field({"top_radius", "at z = height; 0 is a pointed cone"}, object.top_radius,
                     RealType{RealDimension::number, {0, k_largest_length}});
       visitor.field(required("height", "along z"), object.height, k_length);
+      break;
+    case ObjectKind::revolution:
+      declare_revolution(visitor, shape_of<RevolutionShape>(object));
       break;
     default:
       break;

@@ -101,6 +101,32 @@ std::string TripleType::range() const {
   return "three of " + range_text(bounds, RealDimension::number);
 }
 
+std::vector<glm::dvec2> PointListType::read(const YamlNode& node, std::string_view name) const {
+  if (node.kind != YamlKind::sequence) {
+    fail(node, name, node.kind_name() + " stands here; a list of pairs of numbers is allowed");
+  }
+  std::vector<glm::dvec2> points;
+  points.reserve(node.items.size());
+  for (const YamlNode& item : node.items) {
+    if (item.kind != YamlKind::sequence || item.items.size() != 2) {
+      fail(item, name, item.kind_name() + " stands here; a list of two numbers is allowed");
+    }
+    points.emplace_back(read_quantity(item.items[0], name, bounds, RealDimension::number),
+                        read_quantity(item.items[1], name, bounds, RealDimension::number));
+  }
+  return points;
+}
+
+YamlNode PointListType::write(const std::vector<glm::dvec2>& points) {
+  std::vector<YamlNode> items;
+  items.reserve(points.size());
+  for (const glm::dvec2& point : points) {
+    items.push_back(yaml_sequence({yaml_scalar(format_quantity(point.x, RealDimension::number)),
+                                   yaml_scalar(format_quantity(point.y, RealDimension::number))}));
+  }
+  return yaml_sequence(std::move(items));
+}
+
 std::string TextType::read(const YamlNode& node, std::string_view name) {
   return scalar_text(node, name, "a text");
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <string>
 #include <string_view>
@@ -65,6 +66,14 @@ struct TripleType {
   [[nodiscard]] static YamlNode write(const glm::dvec3& value);
   [[nodiscard]] static std::string unit() { return "none"; }
   [[nodiscard]] std::string range() const;
+};
+
+/// A list of points in a plane, each a list of two numbers.
+struct PointListType {
+  Range<double> bounds;
+
+  [[nodiscard]] std::vector<glm::dvec2> read(const YamlNode& node, std::string_view name) const;
+  [[nodiscard]] static YamlNode write(const std::vector<glm::dvec2>& points);
 };
 
 /// Free text.

@@ -1,10 +1,12 @@
 #include "sim/scene/board_code.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string_view>
 
 #include "board_functions.hpp"
+#include "firmware/primitives/revolution.hpp"
 
 namespace maquette::sim {
 
@@ -24,6 +26,8 @@ bool needs_primitive(const Needs& needs) {
   return needs.primitives[static_cast<int>(kind)];
 }
 
+bool needs_roots(const Needs& needs) { return needs_primitive<PrimitiveKind::revolution>(needs); }
+
 bool needs_composites(const Needs& needs) {
   return needs.unions || needs.intersections || needs.differences;
 }
@@ -36,6 +40,15 @@ constexpr OptionalCode k_optional_code[] = {
     {"sphere::", needs_primitive<PrimitiveKind::sphere>},
     {"cylinder::", needs_primitive<PrimitiveKind::cylinder>},
     {"cone::", needs_primitive<PrimitiveKind::cone>},
+    {"revolution::", needs_primitive<PrimitiveKind::revolution>},
+    {"real_roots::", needs_roots},
+    {"laguerre::", needs_roots},
+    {"bernstein::", needs_roots},
+    {"roots_of", needs_roots},
+    {"polynomial_of", needs_roots},
+    {"sign_changes", needs_roots},
+    {"sign_of", needs_roots},
+    {"cross_spans", [](const Needs& needs) { return needs.several_spans; }},
     {"combine", needs_composites},
     {"OperandCursor::take", needs_composites},
     {"united", [](const Needs& needs) { return needs.unions; }},
@@ -91,6 +104,46 @@ std::int64_t frame_bytes(std::string_view function) {
   return k_return_address_bytes + (found == nullptr ? 0 : found->stack_bytes);
 }
 
+/// A function on a chain of calls and how often it may stand there.
+struct Link {
+  std::string_view function;
+  int times = 1;
+};
+
+/// The deepest chain of calls below a leaf of certain primitives.
+struct LeafChain {
+  bool (*is_needed)(const Needs& needs);
+  std::array<Link, 8> links;
+};
+
+constexpr int k_isolation_depth = firmware::real_roots::k_bisection_limit<float> + 1;
+
+constexpr LeafChain k_leaf_chains[] = {
+    {[](const Needs& /*needs*/) { return true; },
+     {{{"cross_convex"},
+       {"cone::intersect"},
+       {"hits_of"},
+       {"transform_point"},
+       {"transform_direction"}}}},
+    {needs_primitive<PrimitiveKind::revolution>,
+     {{{"cross_spans"},
+       {"revolution::intersect"},
+       {"revolution::intersect_node", firmware::revolution::k_tree_height + 1},
+       {"revolution::intersect_section"},
+       {"real_roots::isolate", k_isolation_depth},
+       {"real_roots::add_isolated"},
+       {"real_roots::add_between_ends"},
+       {"laguerre::refined"}}}},
+};
+
+std::int64_t chain_bytes(const LeafChain& chain) {
+  std::int64_t bytes = 0;
+  for (const Link& link : chain.links) {
+    bytes += link.function.empty() ? 0 : link.times * frame_bytes(link.function);
+  }
+  return bytes;
+}
+
 }  // namespace
 
 BoardCode board_code_of(const Needs& needs) {
@@ -102,15 +155,17 @@ BoardCode board_code_of(const Needs& needs) {
   return code;
 }
 
-std::int64_t board_stack_bytes(int tree_height) {
-  constexpr std::string_view k_chain[] = {"synthesize", "luminance",       "follow",
-                                          "light_from", "cross_leaf",      "cone::intersect",
-                                          "hits_of",    "transform_point", "transform_direction"};
+std::int64_t board_stack_bytes(int tree_height, const Needs& needs) {
   std::int64_t bytes = 0;
-  for (const std::string_view function : k_chain) {
+  for (const std::string_view function : {"synthesize", "luminance", "follow", "light_from"}) {
     bytes += frame_bytes(function);
   }
-  return bytes + (tree_height + 1) * std::max(frame_bytes("cross"), frame_bytes("pass_node"));
+  std::int64_t deepest = 0;
+  for (const LeafChain& chain : k_leaf_chains) {
+    deepest = std::max(deepest, chain.is_needed(needs) ? chain_bytes(chain) : 0);
+  }
+  return bytes + deepest +
+         (tree_height + 1) * std::max(frame_bytes("cross"), frame_bytes("pass_node"));
 }
 
 }  // namespace maquette::sim

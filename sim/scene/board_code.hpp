@@ -14,8 +14,9 @@ struct BoardCode {
 
 BoardCode board_code_of(const firmware::Needs& needs);
 
-/// Stack of the deepest chain of calls, for a tree with so many composites on its longest way down;
+/// Stack of the deepest chain of calls, for a tree with so many composites on its longest way down
+/// and the primitives that are needed;
 /// from the compiler's stack usage, plus a return address per call.
-std::int64_t board_stack_bytes(int tree_height);
+std::int64_t board_stack_bytes(int tree_height, const firmware::Needs& needs);
 
 }  // namespace maquette::sim

@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/scene/revolution_frame.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -11,7 +13,8 @@ Placement scaled_and_moved(const Vector3& scale, double height) {
 }
 
 LocalFrame cylinder_frame(double radius, double height) {
-  return {firmware::PrimitiveKind::cylinder, std::nullopt,
+  return {firmware::PrimitiveKind::cylinder,
+          {},
           scaled_and_moved({radius, radius, height / 2}, height / 2)};
 }
 
@@ -28,7 +31,7 @@ LocalFrame cone_frame(const Object& cone) {
   const Placement frame =
       stands_on_base ? scaled_and_moved({wide, wide, -apex_height}, apex_height)
                      : scaled_and_moved({wide, wide, apex_height}, cone.height - apex_height);
-  return {firmware::PrimitiveKind::cone, ratio, frame};
+  return {firmware::PrimitiveKind::cone, {ratio}, frame};
 }
 
 }  // namespace
@@ -36,21 +39,22 @@ LocalFrame cone_frame(const Object& cone) {
 LocalFrame local_frame_of(const Object& primitive) {
   switch (primitive.kind) {
     case ObjectKind::box:
-      return {firmware::PrimitiveKind::box, std::nullopt,
-              scaled_and_moved(primitive.size / 2.0, 0)};
+      return {firmware::PrimitiveKind::box, {}, scaled_and_moved(primitive.size / 2.0, 0)};
     case ObjectKind::sphere:
-      return {firmware::PrimitiveKind::sphere, std::nullopt, scaled_and_moved(primitive.size, 0)};
+      return {firmware::PrimitiveKind::sphere, {}, scaled_and_moved(primitive.size, 0)};
     case ObjectKind::cylinder:
       return cylinder_frame(primitive.radius, primitive.height);
     case ObjectKind::cone:
       return cone_frame(primitive);
+    case ObjectKind::revolution:
+      return revolution_frame(std::get<RevolutionShape>(primitive.shape));
     case ObjectKind::half_space:
     case ObjectKind::union_of:
     case ObjectKind::intersection:
     case ObjectKind::difference:
       break;
   }
-  return {firmware::PrimitiveKind::half_space, std::nullopt, Placement(1.0)};
+  return {firmware::PrimitiveKind::half_space, {}, Placement(1.0)};
 }
 
 Placement inverse_of(const Placement& placement) {

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <optional>
+#include <vector>
 
 #include "firmware/database.hpp"
 #include "sim/description/scene.hpp"
 
 namespace maquette::sim {
 
-/// A primitive of a description in the firmware's terms: which canonical solid, its shape
-/// parameter if it has one, and the frame that makes the described solid of the canonical one.
+/// A primitive of a description in the firmware's terms: which canonical solid, its
+/// parameters if it has any, and the frame that makes the described solid of the canonical one.
 struct LocalFrame {
   firmware::PrimitiveKind kind;
-  std::optional<double> parameter;
+  std::vector<double> parameters;
   Placement to_object;
 };
 

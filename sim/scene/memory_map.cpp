@@ -40,7 +40,7 @@ MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_heigh
   map.left_out_bytes = code.left_out_bytes;
   map.crossings_needed = crossing_needs_of(database).space;
   map.rays_needed = firmware::pending_rays_needed(database.ray_depth, database.needs.transparency);
-  map.stack_needed_bytes = board_stack_bytes(tree_height);
+  map.stack_needed_bytes = board_stack_bytes(tree_height, database.needs);
   map.uses = {{"system", machine.system_bytes},
               {"firmware code", code.needed_bytes},
               {"arithmetic package", machine.parameters.board.arithmetic.package_bytes},

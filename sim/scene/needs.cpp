@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "firmware/primitives/primitive_table.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -25,6 +27,8 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
   firmware::Needs needs{};
   for (const TreeLeaf& leaf : tree.leaves) {
     needs.primitives[static_cast<int>(leaf.kind)] = true;
+    needs.several_spans =
+        needs.several_spans || !firmware::primitive_of<double>(leaf.kind).is_convex;
   }
   needs.unions = combines_by(tree, firmware::BooleanOperator::union_of);
   needs.intersections = combines_by(tree, firmware::BooleanOperator::intersection);
@@ -54,6 +58,8 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"sphere", needs.primitives[2]},
           {"cylinder", needs.primitives[3]},
           {"cone", needs.primitives[4]},
+          {"revolution", needs.primitives[5]},
+          {"several spans", needs.several_spans},
           {"union", needs.unions},
           {"intersection", needs.intersections},
           {"difference", needs.differences},

@@ -74,9 +74,7 @@ class TreeBuilder {
     TreeLeaf leaf;
     leaf.kind = frame.kind;
     leaf.surface = surfaces_.at(surface);
-    if (frame.parameter) {
-      leaf.parameters.push_back(*frame.parameter);
-    }
+    leaf.parameters = frame.parameters;
     leaf.to_scene = concatenated(placement, frame.to_object);
     tree_.leaves.push_back(leaf);
     Node node;

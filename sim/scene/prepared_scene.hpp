@@ -52,7 +52,7 @@ firmware::CrossingNeeds crossing_needs_of(const firmware::Database<Real>& databa
   std::vector<firmware::CrossingNeeds> needs;
   needs.reserve(database.node_count());
   for (firmware::NodeIndex node = 0; node < database.leaf_count; ++node) {
-    needs.push_back(firmware::crossing_needs_of_leaf(database.leaves[node]));
+    needs.push_back(firmware::crossing_needs_of_leaf(database, database.leaves[node]));
   }
   for (firmware::NodeIndex node = database.leaf_count; node < database.node_count(); ++node) {
     const firmware::Composite& composite = database.composite(node);

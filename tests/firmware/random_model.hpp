@@ -4,19 +4,22 @@
 
 namespace maquette::firmware::trial {
 
+/// The kinds that take no parameters but the cone's; they come first.
+inline constexpr int k_simple_kind_count = 5;
+
 /// A model of primitives near a center, combined at random.
 struct RandomTree {
   Model model;
   NodeIndex root;
 };
 
-/// Of `solid_count` primitives of all kinds around `center`, within about `spread` of it. Surfaces
+/// Of `solid_count` simple primitives around `center`, within about `spread` of it. Surfaces
 /// are taken from the model given.
 inline RandomTree random_tree(Random& random, Model model, int solid_count,
                               const Vector<double>& center, double spread) {
   std::vector<NodeIndex> nodes;
   for (int i = 0; i < solid_count; ++i) {
-    const auto kind = static_cast<PrimitiveKind>(random.below(k_primitive_kind_count));
+    const auto kind = static_cast<PrimitiveKind>(random.below(k_simple_kind_count));
     const auto surface =
         static_cast<SurfaceIndex>(random.below(static_cast<int>(model.surfaces.size())));
     const Vector<double> place = center + random.in_cube(spread / 2);

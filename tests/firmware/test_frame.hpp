@@ -270,7 +270,7 @@ class BuiltFrame {
   [[nodiscard]] CrossingNeeds crossing_needs() const {
     std::vector<CrossingNeeds> needs;
     for (const Leaf<Real>& leaf : leaves_) {
-      needs.push_back(crossing_needs_of_leaf(leaf));
+      needs.push_back(crossing_needs_of_leaf(frame.database, leaf));
     }
     for (const Composite& composite : composites_) {
       needs.push_back(combined_crossing_needs(needs[composite.sons[0]], needs[composite.sons[1]]));

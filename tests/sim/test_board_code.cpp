@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "firmware/primitives/primitive.hpp"
+
 using namespace maquette;
 
 namespace {
@@ -14,6 +16,7 @@ firmware::Needs all_needs() {
   for (bool& distribution : needs.facets) {
     distribution = true;
   }
+  needs.several_spans = true;
   needs.unions = needs.intersections = needs.differences = true;
   needs.diffuse = needs.specular = needs.dielectrics = needs.metals = true;
   needs.transparency = needs.absorption = needs.lights = needs.shadows = true;
@@ -50,7 +53,17 @@ TEST_CASE("Every primitive and facet distribution can be left out on its own") {
 }
 
 TEST_CASE("A higher tree takes more stack, the same for every level") {
-  const auto step = sim::board_stack_bytes(1) - sim::board_stack_bytes(0);
+  const firmware::Needs needs{};
+  const auto step = sim::board_stack_bytes(1, needs) - sim::board_stack_bytes(0, needs);
   CHECK(step > 0);
-  CHECK(sim::board_stack_bytes(10) == sim::board_stack_bytes(0) + 10 * step);
+  CHECK(sim::board_stack_bytes(10, needs) == sim::board_stack_bytes(0, needs) + 10 * step);
+}
+
+TEST_CASE("Primitives with several spans take more stack than convex ones, only where needed") {
+  firmware::Needs needs{};
+  const auto convex = sim::board_stack_bytes(3, needs);
+  needs.primitives[static_cast<int>(firmware::PrimitiveKind::cone)] = true;
+  CHECK(sim::board_stack_bytes(3, needs) == convex);
+  needs.primitives[static_cast<int>(firmware::PrimitiveKind::revolution)] = true;
+  CHECK(sim::board_stack_bytes(3, needs) > convex + firmware::k_primitive_hit_limit * 6);
 }

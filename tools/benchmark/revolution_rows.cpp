@@ -71,7 +71,7 @@ double section_ns() {
   const std::vector<Real> parameters = vase_parameters<Real>();
   const revolution::Generatrix<Real> curve = revolution::generatrix(parameters.data());
   const std::vector<firmware::Ray<Real>> rays = ordinary_rays<Real>();
-  firmware::Hit<Real> hits[revolution::k_section_hit_limit];
+  firmware::Hit<Real> hits[revolution::k_section_degree];
   return least_ns(k_rays * curve.sections, [&] {
     int count = 0;
     for (const firmware::Ray<Real>& ray : rays) {

@@ -28,7 +28,7 @@ double outside_by(PrimitiveKind kind, double top, const Vector<double>& p) {
       return glm::length(p) - 1;
     case PrimitiveKind::cylinder:
       return larger(radius, absolute(p.z)) - 1;
-    case PrimitiveKind::cone:
+    default:
       break;
   }
   return larger(radius - p.z, larger(p.z - 1, top - p.z));
@@ -36,7 +36,7 @@ double outside_by(PrimitiveKind kind, double top, const Vector<double>& p) {
 
 template <class Real>
 struct Hits {
-  Hit<Real> hits[k_primitive_hit_limit];
+  Hit<Real> hits[k_convex_hit_limit];
   int count;
 };
 
