@@ -47,7 +47,7 @@ ProcessUsage run_process(const std::vector<std::string>& command) {
     throw std::runtime_error(command.front() + " failed");
   }
   constexpr double k_kibibyte = 1024;
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime),
+  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), seconds(usage.ru_utime),
           std::chrono::duration<double>(Clock::now() - start).count(),
           static_cast<double>(usage.ru_maxrss) * k_kibibyte};
 }

@@ -8,6 +8,7 @@ namespace maquette::benchmark {
 /// What a finished process has used.
 struct ProcessUsage {
   double processor_time_s;  ///< user and system, all threads
+  double user_time_s;       ///< of that
   double wall_time_s;
   double peak_memory_bytes;
 };

@@ -23,7 +23,8 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"counting", maquette::benchmark::measure_counting},
                                           {"two_threads", maquette::benchmark::measure_two_threads},
                                           {"sweep", maquette::benchmark::measure_sweep},
-                                          {"revolution", maquette::benchmark::measure_revolution}};
+                                          {"revolution", maquette::benchmark::measure_revolution},
+                                          {"vase", maquette::benchmark::measure_vase}};
 
 std::vector<std::string> measurement_names() {
   std::vector<std::string> names;
@@ -83,8 +84,12 @@ int run(int argc, char** argv) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path scratch =
       std::filesystem::temp_directory_path() / fmt::format("maquette-benchmark-{}", getpid());
-  const Paths paths{self.parent_path() / "maquette", self, project / "scenes" / "photo4.yaml",
-                    project / "models", scratch};
+  const Paths paths{self.parent_path() / "maquette",
+                    self,
+                    project / "scenes" / "photo4.yaml",
+                    project / "tools" / "benchmark" / "vase.yaml",
+                    project / "models",
+                    scratch};
   if (!plain_directory.empty()) {
     maquette::benchmark::render_plain(paths, plain_directory);
     return 0;

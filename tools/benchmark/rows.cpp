@@ -1,13 +1,12 @@
 #include "tools/benchmark/rows.hpp"
 
-#include <algorithm>
-
 #include "firmware/counted.hpp"
 #include "sim/description/description_loader.hpp"
 #include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 #include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/frame_synthesis.hpp"
+#include "tools/benchmark/median.hpp"
 
 namespace maquette::benchmark {
 
@@ -15,12 +14,6 @@ namespace {
 
 /// Repetitions in turn, A B A B ..., so that a change of the host's speed meets both.
 constexpr int k_repetitions = 9;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 sim::Description description_of(const Paths& paths) {
   sim::DescriptionSources sources;

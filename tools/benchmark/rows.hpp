@@ -20,6 +20,7 @@ struct Paths {
   std::string program;    ///< maquette
   std::string benchmark;  ///< this program, which can render a plain frame
   std::string scene;
+  std::string vase;  ///< the scene that is compared with POV-Ray
   std::string models;
   std::string scratch;  ///< a directory of its own
 };
@@ -38,6 +39,9 @@ std::vector<Row> measure_counting(const Paths& paths);
 
 /// Rays against surfaces of revolution, in this process.
 std::vector<Row> measure_revolution(const Paths& paths);
+
+/// A vase against POV-Ray, where it is installed.
+std::vector<Row> measure_vase(const Paths& paths);
 
 /// Writes a picture of one pixel: what a process costs before it renders anything.
 void render_nothing(const std::string& directory);
