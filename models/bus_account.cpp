@@ -14,6 +14,7 @@ void BusAccount::add_master() {
     }
   }
   statistics_.queue_times.resize(masters);
+  queued_.resize(masters);
 }
 
 // ---- queue length ----
@@ -26,7 +27,6 @@ void BusAccount::pass_queue_time(Instant to) {
 }
 
 void BusAccount::decide(Instant instant, const Contenders& standing) {
-  const Instant known_before = queue_known_to_;
   const auto pass_grant = [this](Instant to) {
     if (grant_ <= to) {
       pass_queue_time(grant_);
@@ -35,10 +35,12 @@ void BusAccount::decide(Instant instant, const Contenders& standing) {
     }
   };
   for (const Contender& one : standing) {
-    if (one.request > known_before) {
-      pass_grant(one.request);
-      pass_queue_time(one.request);
+    if (!queued_[static_cast<std::size_t>(one.master)]) {
+      const Instant from = std::max(one.request, queue_known_to_);
+      pass_grant(from);
+      pass_queue_time(from);
       ++queue_length_;
+      queued_[static_cast<std::size_t>(one.master)] = true;
     }
   }
   pass_grant(instant);
@@ -87,6 +89,7 @@ void BusAccount::record(const BusAccess& access, Instant decision) {
     settle(access);
   }
   statistics_.waited_for[index][index] += arbitration;
+  queued_[index] = false;
   grant_ = access.grant;
 }
 

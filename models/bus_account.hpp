@@ -60,7 +60,9 @@ class BusAccount {
   BusStatistics statistics_;
   std::vector<std::vector<Duration>> standing_;  // as waited_for, of the requests not yet granted
 
-  // The queue is known up to an arbitration: later requests may still come to be known.
+  // The queue is known up to an arbitration: later requests may still come to be known, and on a
+  // decoupled bus earlier ones, which count from when they are.
+  std::vector<bool> queued_;  // by master
   std::size_t queue_length_ = 0;
   Instant queue_known_to_{-1};
   Instant grant_ = k_never;  // at or after that arbitration, not yet taken off the queue

@@ -10,6 +10,10 @@ namespace maquette::models {
 /// Which master the arbiter of the bus prefers among those of the same instant.
 enum class ArbitrationPolicy { priority, round_robin };
 
+/// How exactly the bus is simulated: every request arbitrated at its instant; masters that run ahead
+/// of one another for a quantum; or no contention at all.
+enum class BusLevel { transaction, decoupled, ideal };
+
 /// When a master gives the bus back (VM02 data sheet p. 2-53/54): after each access ("indirect"),
 /// or at the end of its block of words ("direct"), earlier when BCLR is raised by a higher level.
 enum class ReleasePolicy { each_access, block };
@@ -31,6 +35,8 @@ struct VersaBusParameters {
   Clocks handover_clocks = 1;     ///< added when the master changes
   ArbitrationPolicy arbitration = ArbitrationPolicy::priority;
   Duration timeout{64'000'000};  ///< of one access; 0 is off
+  BusLevel level = BusLevel::transaction;
+  Duration quantum{1'000'000'000};  ///< of run-ahead, when decoupled
 };
 
 /// Where a master sits on the bus.

@@ -18,9 +18,15 @@ class RequestQueue {
     requests_.insert(after.base(), contender);
   }
 
-  void remove(int master) {
-    requests_.erase(std::find_if(requests_.begin(), requests_.end(),
-                                 [master](const Contender& one) { return one.master == master; }));
+  void remove(int master) { requests_.erase(find(master)); }
+
+  /// That of a master that stands.
+  [[nodiscard]] const Contender& of(int master) const { return *find(master); }
+
+  /// Of a master; k_never when it does not stand.
+  [[nodiscard]] Instant request_of(int master) const {
+    const auto found = find(master);
+    return found == requests_.end() ? k_never : found->request;
   }
 
   [[nodiscard]] Instant earliest() const {
@@ -38,6 +44,11 @@ class RequestQueue {
   }
 
  private:
+  [[nodiscard]] std::vector<Contender>::const_iterator find(int master) const {
+    return std::find_if(requests_.begin(), requests_.end(),
+                        [master](const Contender& one) { return one.master == master; });
+  }
+
   std::vector<Contender> requests_;
 };
 

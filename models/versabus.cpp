@@ -38,15 +38,11 @@ VersaBus::VersaBus(const sc_core::sc_module_name& name, const VersaBusParameters
     : sc_module(name),
       master_sockets_("master_sockets"),
       slave_sockets_("slave_sockets"),
-      policy_(parameters.arbitration),
       word_bytes_(static_cast<unsigned>(parameters.data_width_bits / k_bits_per_byte)),
       timeout_(parameters.timeout),
       wake_("wake") {
   check(parameters);
-  const Period clock = Period::of_frequency(parameters.clock_hz);
-  arbitration_ = clock.times(parameters.arbitration_clocks);
-  arbitration_and_handover_ =
-      clock.times(parameters.arbitration_clocks + parameters.handover_clocks);
+  arbiter_ = make_arbiter(parameters, account_);
   master_sockets_.register_b_transport(this, &VersaBus::b_transport);
   master_sockets_.register_transport_dbg(this, &VersaBus::transport_dbg);
   SC_HAS_PROCESS(VersaBus);
@@ -120,9 +116,6 @@ unsigned VersaBus::transport_dbg(int /*id*/, tlm::tlm_generic_payload& payload) 
 void VersaBus::post(int id, tlm::tlm_generic_payload& burst, Instant request) {
   leave_computing(id, State::requesting);
   begin(id, burst, request);
-  if (request < free_at_) {  // into an access that was decided before the request was known
-    account_.found_occupied(id, previous_, free_at_ - request);
-  }
 }
 
 void VersaBus::begin(int id, tlm::tlm_generic_payload& burst, Instant request) {
@@ -149,7 +142,7 @@ void VersaBus::begin(int id, tlm::tlm_generic_payload& burst, Instant request) {
 void VersaBus::enter(int id, Instant request) {
   Master& master = at(id);
   master.request = request;
-  requests_.insert({id, master.description.place, request});
+  arbiter_->enter({id, master.description.place, request});
 }
 
 void VersaBus::leave_computing(int id, State next) {
@@ -187,8 +180,9 @@ void VersaBus::activate(int master) {
 
 void VersaBus::advance() {
   const Instant now = kernel_now();
-  for (Instant next = next_decision(); next != k_never; next = next_decision()) {
-    if (computing_ > 0 && next >= now) {
+  for (Instant next = arbiter_->next_decision(); next != k_never;
+       next = arbiter_->next_decision()) {
+    if (computing_ > 0 && next >= now && arbiter_->heeds_unknown()) {
       if (unpromised_ > 0) {
         wake_.notify(to_sc_time(next + k_tick - now));
       }
@@ -198,50 +192,9 @@ void VersaBus::advance() {
       wake_.notify(to_sc_time(next - now));
       return;
     }
-    decide(next);
+    last_decision_ = std::max(last_decision_, next);
+    transfer(arbiter_->decide());
   }
-}
-
-Instant VersaBus::next_decision() const {
-  if (holder_ != k_nobody) {
-    return std::min(at(holder_).request, earliest_clear_request());
-  }
-  const Instant earliest = requests_.earliest();
-  return earliest == k_never ? k_never : std::max(earliest, free_at_);
-}
-
-Instant VersaBus::earliest_clear_request() const {
-  if (policy_ == ArbitrationPolicy::priority) {
-    const int level = at(holder_).description.place.level;
-    for (const Contender& other : requests_.up_to(at(holder_).request)) {
-      if (other.place.level > level) {
-        return std::max(other.request, free_at_);
-      }
-    }
-  }
-  return k_never;
-}
-
-void VersaBus::decide(Instant instant) {
-  if (instant < last_decision_ || instant < free_at_) {
-    fail("bus time runs backwards");
-  }
-  last_decision_ = instant;
-  account_.decide(instant, requests_.up_to(instant));
-  const bool kept = holder_ != k_nobody;
-  if (kept) {
-    account_.keep(holder_, instant - free_at_);
-    account_.occupy(holder_, free_at_, instant, requests_.up_to(instant));
-    if (earliest_clear_request() > instant) {
-      transfer(holder_, instant, instant, kept);
-      return;
-    }
-    holder_ = k_nobody;
-    free_at_ = instant;
-  }
-  const int winner = choose(policy_, requests_.up_to(instant), previous_);
-  const bool handover = previous_ != k_nobody && previous_ != winner;
-  transfer(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_), kept);
 }
 
 // ---- one access ----
@@ -253,37 +206,37 @@ std::uint64_t VersaBus::next_address(const Master& master) const {
                                        : transaction.addresses[index];
 }
 
-void VersaBus::transfer(int id, Instant decision, Instant grant, bool kept) {
-  Master& master = at(id);
+void VersaBus::transfer(const BusGrant& granted) {
+  Master& master = at(granted.master);
   const std::uint64_t address = next_address(master);
-  const bool test_and_sets = master.transaction->test_and_set;
-  const AccessResult result =
-      test_and_sets ? test_and_set(master, address, grant) : access_slave(master, address, grant);
-  const BusAccess access{id,
+  BusTransaction& transaction = *master.transaction;
+  const AccessResult result = transaction.test_and_set
+                                  ? test_and_set(master, address, granted.grant)
+                                  : access_slave(master, address, granted.grant);
+  const BusAccess access{granted.master,
                          address,
                          master.burst->is_write(),
-                         master.request,
-                         grant,
-                         grant + result.duration,
-                         decision,
+                         granted.request,
+                         granted.grant,
+                         granted.grant + result.duration,
+                         granted.decision,
                          result.slave_time,
                          result.status == tlm::TLM_OK_RESPONSE,
-                         kept,
-                         test_and_sets,
+                         granted.kept,
+                         transaction.test_and_set,
                          observer_ ? word_of(master) : 0};
-  if (access.request > decision || decision > grant || grant >= access.end) {
+  if (access.request > access.decision || access.decision > access.grant ||
+      access.grant >= access.end) {
     fail("an access of master " + master.description.name + " runs backwards");
   }
-  requests_.remove(id);
-  account_.occupy(id, decision, access.end, requests_.up_to(access.end));
-  account_.record(access, decision);
-  answer(*master.transaction, access);
+  const bool has_more = access.answered && transaction.accesses + 1 < master.accesses;
+  arbiter_->release(granted, access.end, transaction.block && has_more);
+  account_.record(access, access.decision);
+  answer(transaction, access);
   if (observer_) {
     observer_(access);
   }
-  free_at_ = access.end;
-  previous_ = id;
-  finish_access(id, address, access.end, result.status);
+  finish_access(access, result.status);
 }
 
 std::uint32_t VersaBus::word_of(const Master& master) const {
@@ -352,21 +305,18 @@ VersaBus::AccessResult VersaBus::test_and_set(Master& master, std::uint64_t addr
           is_written ? read.slave_time : until_write + write.slave_time, write.status};
 }
 
-void VersaBus::finish_access(int id, std::uint64_t address, Instant end,
-                             tlm::tlm_response_status status) {
-  Master& master = at(id);
+void VersaBus::finish_access(const BusAccess& access, tlm::tlm_response_status status) {
+  Master& master = at(access.master);
   BusTransaction& transaction = *master.transaction;
   ++transaction.accesses;
-  holder_ = k_nobody;
-  if (status != tlm::TLM_OK_RESPONSE) {
-    account_.fail(id);
-    transaction.failed_address = address;
-    complete(id, end, status);
+  if (!access.answered) {
+    account_.fail(access.master);
+    transaction.failed_address = access.address;
+    complete(access.master, access.end, status);
   } else if (transaction.accesses == master.accesses) {
-    complete(id, end, status);
+    complete(access.master, access.end, status);
   } else {
-    holder_ = transaction.block ? id : k_nobody;
-    enter(id, end + transaction.next_gap());
+    enter(access.master, access.end + transaction.next_gap());
   }
 }
 

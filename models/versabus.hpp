@@ -16,9 +16,9 @@
 #include "models/address_map.hpp"
 #include "models/arbitration.hpp"
 #include "models/bus_account.hpp"
+#include "models/bus_arbiter.hpp"
 #include "models/bus_transaction.hpp"
 #include "models/machine_parameters.hpp"
-#include "models/request_queue.hpp"
 
 namespace maquette::models {
 
@@ -29,21 +29,14 @@ struct BusMaster {
   AccessLaw access;
 };
 
-/// The VERSAbus backplane with its arbiter: blocking transport, exact arbitration.
-///
-/// A master's request stands from its instant R. Arbitration starts at S = max(R, end of the
-/// previous access); of all requests up to S the policy picks one, which is granted the bus at
-/// G = S + arbitration_clocks (+ handover_clocks when another master had the bus before) and
-/// releases it when its access is over (AccessLaw). A burst that keeps the bus (BBSY) needs no
-/// arbitration after its first access; under the priority policy a request of a strictly higher
-/// level (BCLR) makes its master release the bus at the end of the current access, or at once when
-/// it is between two accesses, and arbitrate again. Assumption: a first grant pays no hand-over.
+/// The VERSAbus backplane: blocking transport. Its arbiter (BusArbiter, one per level of
+/// abstraction) says who has the bus from when on; an access then lasts as AccessLaw says.
 ///
 /// The bus keeps its own time. While every active master stands with a request it resolves accesses
 /// ahead of the kernel, up to the first end of a transaction that its master does not follow up:
 /// nothing unknown can come in between.
-/// While some master computes unknown to the bus, only instants before the kernel's are decided and
-/// the bus wakes itself one tick after the next one.
+/// While some master computes unknown to the bus, and the arbiter heeds such masters, only instants
+/// before the kernel's are decided and the bus wakes itself one tick after the next one.
 ///
 /// A read-modify-write cycle is one access that lasts as long as its read, the processor's change
 /// and its write together; the bus is not released in between, whoever asks (MC68000 TAS).
@@ -121,15 +114,12 @@ class VersaBus : public sc_core::sc_module {
   void enter(int id, Instant request);
   void leave_computing(int id, State next);
   void advance();
-  [[nodiscard]] Instant next_decision() const;
-  [[nodiscard]] Instant earliest_clear_request() const;
-  void decide(Instant instant);
-  void transfer(int id, Instant decision, Instant grant, bool kept);
+  void transfer(const BusGrant& granted);
   AccessResult access_slave(Master& master, std::uint64_t address, Instant strobe);
   AccessResult test_and_set(Master& master, std::uint64_t address, Instant strobe);
   [[nodiscard]] std::uint32_t word_of(const Master& master) const;
   static void answer(BusTransaction& transaction, const BusAccess& access);
-  void finish_access(int id, std::uint64_t address, Instant end, tlm::tlm_response_status status);
+  void finish_access(const BusAccess& access, tlm::tlm_response_status status);
   void complete(int id, Instant end, tlm::tlm_response_status status);
   [[nodiscard]] std::uint64_t next_address(const Master& master) const;
   [[nodiscard]] Master& at(int id) const { return *masters_[static_cast<std::size_t>(id)]; }
@@ -138,23 +128,17 @@ class VersaBus : public sc_core::sc_module {
   tlm_utils::multi_passthrough_initiator_socket<VersaBus> slave_sockets_;
   AddressMap address_map_;
 
-  ArbitrationPolicy policy_;
   unsigned word_bytes_;
-  Duration arbitration_;
-  Duration arbitration_and_handover_;
   Duration timeout_;
 
   std::vector<std::unique_ptr<Master>> masters_;
-  RequestQueue requests_;
-  int computing_ = 0;        // active masters without a request
-  int unpromised_ = 0;       // those of them that may post at any instant
-  int holder_ = k_nobody;    // keeps the bus between two accesses
-  int previous_ = k_nobody;  // had the bus last
-  Instant free_at_{};
+  int computing_ = 0;   // active masters without a request
+  int unpromised_ = 0;  // those of them that may post at any instant
   Instant last_decision_{-1};
   sc_core::sc_event wake_;
 
   BusAccount account_;
+  std::unique_ptr<BusArbiter> arbiter_;
   std::function<void(const BusAccess&)> observer_;
 };
 

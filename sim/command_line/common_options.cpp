@@ -23,6 +23,29 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
       ->take_all();
 }
 
+void add_bus_options(CLI::App& verb, BusOptions& options) {
+  verb.add_option("--bus", options.level,
+                  "how exactly the bus is simulated (default: bus.level of the machine): every "
+                  "request arbitrated at its instant; boards that run ahead of one another for a "
+                  "quantum; no contention at all")
+      ->check(CLI::IsMember({"transaction", "decoupled", "ideal"}));
+  verb.add_option("--quantum", options.quantum,
+                  "how long boards run ahead of one another with --bus decoupled (default: "
+                  "bus.quantum of the machine)")
+      ->type_name("TIME");
+}
+
+std::vector<std::string> overrides_of(const BusOptions& options) {
+  std::vector<std::string> overrides;
+  if (!options.level.empty()) {
+    overrides.push_back("bus.level=" + options.level);
+  }
+  if (!options.quantum.empty()) {
+    overrides.push_back("bus.quantum=" + options.quantum);
+  }
+  return overrides;
+}
+
 DescriptionSources sources_of(const CommonOptions& options) {
   DescriptionSources sources;
   sources.scene_file = options.scene;

@@ -22,6 +22,18 @@ struct CommonOptions {
 /// Adds SCENE, --machine and --set to a verb.
 void add_common_options(CLI::App& verb, CommonOptions& options);
 
+/// What --bus and --quantum ask for; empty: as the machine says.
+struct BusOptions {
+  std::string level;
+  std::string quantum;
+};
+
+/// Adds --bus and --quantum to a verb.
+void add_bus_options(CLI::App& verb, BusOptions& options);
+
+/// The overrides that these options stand for.
+std::vector<std::string> overrides_of(const BusOptions& options);
+
 /// Where the descriptions that these options name come from.
 DescriptionSources sources_of(const CommonOptions& options);
 

@@ -34,7 +34,7 @@ struct RunOptions {
   std::string outdir;
   std::string processor = "counted";
   std::string record;
-  std::string bus = "transaction";
+  BusOptions bus;
   int threads = 0;
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
@@ -57,9 +57,7 @@ void add_options(CLI::App& verb, RunOptions& options) {
                   "replayed by --processor recorded (default there: one in the run directory, made "
                   "when it is missing)")
       ->type_name("FILE");
-  verb.add_option("--bus", options.bus, "how the bus behaves")
-      ->check(CLI::IsMember({"transaction"}))
-      ->capture_default_str();
+  add_bus_options(verb, options.bus);
   verb.add_option("--threads", options.threads,
                   "host threads that synthesise (default: one per processor)")
       ->check(CLI::Range(1, 1024));
@@ -132,13 +130,28 @@ void add_pictures(const std::string& name, const std::vector<models::Duration>& 
   }
 }
 
+Description described(const RunOptions& options) {
+  DescriptionSources sources = sources_of(options.common);
+  for (const std::string& override_text : overrides_of(options.bus)) {
+    sources.overrides.push_back(override_text);
+  }
+  Description description = load_description(sources);
+  if (!options.traces.empty() &&
+      description.machine.parameters.bus.level == models::BusLevel::ideal) {
+    throw DescriptionError(
+        "--trace shows one master of the bus at a time; bus.level transaction or decoupled is "
+        "allowed with it");
+  }
+  return description;
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto host_time_s = [start] {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  const Description description = load_description(sources_of(options.common));
+  const Description description = described(options);
   SimulationRequest request;
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   request.threads = options.threads > 0 ? options.threads : processors;

@@ -141,6 +141,14 @@ void declare_bus(Visitor& visitor, models::VersaBusParameters& bus) {
   visitor.field({"timeout", "of one access; 0 s is off",
                  "VM02 data sheet p. 2-54: 8, 16, 32, 64 us or off [R], 64 us chosen [I]"},
                 bus.timeout, k_time);
+  visitor.field({"level", "how exactly the bus is simulated", "choice of the simulation [I]"},
+                bus.level,
+                ChoiceType<models::BusLevel>{{{"transaction", models::BusLevel::transaction},
+                                              {"decoupled", models::BusLevel::decoupled},
+                                              {"ideal", models::BusLevel::ideal}}});
+  visitor.field({"quantum", "masters run ahead of one another so long when decoupled; 0 s: exact",
+                 "choice of the simulation [I]"},
+                bus.quantum, k_time);
 }
 
 template <class Visitor>
