@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/command_line/accuracy_command.hpp"
 #include "sim/command_line/compare_command.hpp"
 #include "sim/command_line/describe_command.hpp"
 #include "sim/command_line/run_command.hpp"
@@ -32,6 +33,7 @@ int run_program(int argc, char** argv) {
   maquette::sim::add_run_command(program, command, exit_code);
   maquette::sim::add_describe_command(program);
   maquette::sim::add_sweep_commands(program, command, exit_code);
+  maquette::sim::add_accuracy_command(program, command, exit_code);
   maquette::sim::add_compare_command(program, exit_code);
   try {
     program.parse(argc, argv);

@@ -118,21 +118,24 @@ std::vector<ValueDifference> compare_values(const FlatValues& first, const FlatV
 
 PictureDifference compare_pictures(const models::Picture& first, const models::Picture& second) {
   PictureDifference difference{
-      {first.width, first.height}, {second.width, second.height}, 0, {}, {}};
+      {first.width, first.height}, {second.width, second.height}, 0, 0, {}, {}};
   if (difference.first_size != difference.second_size) {
-    difference.pixels =
+    difference.pixels = difference.pixels_off =
         static_cast<std::int64_t>(std::max(first.pixels.size(), second.pixels.size()));
     return difference;
   }
   std::array<std::int64_t, 3> sums{};
   for (std::size_t i = 0; i < first.pixels.size(); ++i) {
     difference.pixels += first.pixels[i] != second.pixels[i] ? 1 : 0;
+    int most = 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const int change =
           std::abs(channel_of(first.pixels[i], channel) - channel_of(second.pixels[i], channel));
       sums[channel] += change;
       difference.largest[channel] = std::max(difference.largest[channel], change);
+      most = std::max(most, change);
     }
+    difference.pixels_off += most > 1 ? 1 : 0;
   }
   for (std::size_t channel = 0; channel < 3; ++channel) {
     difference.mean[channel] =

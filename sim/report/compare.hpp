@@ -25,6 +25,7 @@ struct PictureDifference {
   std::array<int, 2> first_size{};  ///< width and height
   std::array<int, 2> second_size{};
   std::int64_t pixels = 0;       ///< with any difference; all of them when the sizes differ
+  std::int64_t pixels_off = 0;   ///< with a channel that differs by more than one level
   std::array<int, 3> largest{};  ///< absolute difference per channel
   std::array<double, 3> mean{};  ///< absolute difference per channel, over all pixels
 };

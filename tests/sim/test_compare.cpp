@@ -90,6 +90,7 @@ TEST_CASE("pictures: count, largest and mean of planted changes") {
     const Picture first = noise(random, 13, 9);
     Picture second = first;
     std::set<std::size_t> pixels;
+    std::set<std::size_t> far;
     std::array<int, 3> largest{};
     std::array<std::int64_t, 3> sums{};
     std::set<std::size_t> places;
@@ -100,15 +101,19 @@ TEST_CASE("pictures: count, largest and mean of planted changes") {
       }
       const auto shift = static_cast<int>(16 - 8 * (place % 3));
       const auto from = static_cast<int>(first.pixels[place / 3] >> shift & 0xff);
-      const int change = static_cast<int>(1 + random() % 127);
+      const int change = static_cast<int>(1 + (random() % 2 == 0 ? 0 : random() % 127));
       const int to = from < 128 ? from + change : from - change;
       second.pixels[place / 3] ^= static_cast<std::uint32_t>(from ^ to) << shift;
       pixels.insert(place / 3);
+      if (change > 1) {
+        far.insert(place / 3);
+      }
       largest[place % 3] = std::max(largest[place % 3], change);
       sums[place % 3] += change;
     }
     const auto difference = compare_pictures(first, second);
     REQUIRE(difference.pixels == static_cast<std::int64_t>(pixels.size()));
+    REQUIRE(difference.pixels_off == static_cast<std::int64_t>(far.size()));
     REQUIRE(difference.largest == largest);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       REQUIRE(difference.mean[channel] ==

@@ -9,8 +9,8 @@
 #include "sim/description/description_loader.hpp"
 #include "sim/description/shapes/generatrix_curve.hpp"
 #include "sim/report/run_directory.hpp"
+#include "sim/scene/frame_synthesis.hpp"
 #include "tools/benchmark/child_process.hpp"
-#include "tools/benchmark/frame_synthesis.hpp"
 #include "tools/benchmark/median.hpp"
 #include "tools/benchmark/rows.hpp"
 
@@ -78,7 +78,7 @@ double plain_s(const sim::Description& description) {
   const std::clock_t start = std::clock();
   const sim::PreparedScene<float> scene(
       sim::packed_scene<float>(description.scene, sim::picture_format_of(description.machine)));
-  const SynthesizedFrame frame = synthesized_frame(scene);
+  const sim::SynthesizedFrame frame = synthesized_frame(scene);
   const std::clock_t end = std::clock();
   return frame.rays > 0 ? static_cast<double>(end - start) / CLOCKS_PER_SEC : 0;
 }

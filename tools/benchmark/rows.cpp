@@ -4,8 +4,8 @@
 #include "sim/description/description_loader.hpp"
 #include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
+#include "sim/scene/frame_synthesis.hpp"
 #include "tools/benchmark/child_process.hpp"
-#include "tools/benchmark/frame_synthesis.hpp"
 #include "tools/benchmark/median.hpp"
 
 namespace maquette::benchmark {
@@ -103,8 +103,8 @@ std::vector<Row> measure_counting(const Paths& paths) {
   std::vector<double> plain_rates;
   std::vector<double> counted_rates;
   for (int i = 0; i < k_repetitions; ++i) {
-    const SynthesizedFrame plain = synthesized_frame(plain_scene);
-    const SynthesizedFrame counted = synthesized_frame(counted_scene);
+    const sim::SynthesizedFrame plain = synthesized_frame(plain_scene);
+    const sim::SynthesizedFrame counted = synthesized_frame(counted_scene);
     ratios.push_back(counted.time_s / plain.time_s);
     plain_rates.push_back(static_cast<double>(plain.rays) / plain.time_s);
     counted_rates.push_back(static_cast<double>(counted.rays) / counted.time_s);

@@ -6,7 +6,7 @@
 #include "models/picture.hpp"
 #include "sim/scene/prepared_scene.hpp"
 
-namespace maquette::benchmark {
+namespace maquette::sim {
 
 /// A frame synthesised without timing and without SystemC.
 struct SynthesizedFrame {
@@ -17,12 +17,12 @@ struct SynthesizedFrame {
 
 /// Synthesises every pixel of the useful zone on this thread.
 template <class Real>
-SynthesizedFrame synthesized_frame(const sim::PreparedScene<Real>& scene) {
+SynthesizedFrame synthesized_frame(const PreparedScene<Real>& scene) {
   using Clock = std::chrono::steady_clock;
   const firmware::Frame<Real>& frame = scene.frame();
   const firmware::Rectangle& zone = frame.prepared.useful_zone;
   const firmware::Observer<Real>& observer = frame.database.observer;
-  sim::SynthesisArea<Real> area(frame.database);
+  SynthesisArea<Real> area(frame.database);
   const firmware::WorkArea<Real> work_area = area.view();
   SynthesizedFrame result;
   result.picture = {observer.columns, observer.rows,
@@ -45,4 +45,4 @@ SynthesizedFrame synthesized_frame(const sim::PreparedScene<Real>& scene) {
   return result;
 }
 
-}  // namespace maquette::benchmark
+}  // namespace maquette::sim

@@ -1,0 +1,102 @@
+#include "sim/accuracy/accuracy_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+#include "sim/report/seconds.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+models::Duration mean_of(const std::vector<models::Duration>& times) {
+  const models::Duration sum =
+      std::accumulate(times.begin(), times.end(), models::Duration::zero());
+  return times.empty() ? sum : sum / static_cast<models::Duration::rep>(times.size());
+}
+
+std::string relative_cell(const std::optional<double>& relative) {
+  return relative ? fmt::format("{}", *relative) : "";
+}
+
+std::vector<std::string> time_cells(const LevelResult& level) {
+  if (!level.simulated) {
+    return {"", "", "", "", ""};
+  }
+  std::vector<std::string> cells = {format_seconds(level.simulated->frame), "",
+                                    format_seconds(mean_of(level.simulated->waits)), "", ""};
+  if (level.error.simulated) {
+    cells[1] = relative_cell(level.error.simulated->frame.relative);
+    cells[3] = format_seconds(level.error.simulated->worst_wait.absolute);
+    cells[4] = relative_cell(level.error.simulated->worst_wait.relative);
+  }
+  return cells;
+}
+
+std::string mark_of(bool is_on_front) { return is_on_front ? "front" : ""; }
+
+/// Calls `add` with each rung's result and each of its levels' numbers.
+template <class Add>
+void for_each_level(const std::vector<RungResult>& results, Add add) {
+  for (const RungResult& result : results) {
+    for (std::size_t level = 0; level < result.levels.size(); ++level) {
+      add(result.rung, result.rung.levels[level].name, result.levels[level]);
+    }
+  }
+}
+
+}  // namespace
+
+Table error_table(const std::vector<RungResult>& results) {
+  Table table{{{"rung", "", ""},
+               {"level", "", ""},
+               {"reference", "", "level that it is held against"},
+               {"frame_time_s", "s", "simulated"},
+               {"frame_time_error", "1", "relative"},
+               {"wait_s", "s", "for grants of the bus, mean of the boards"},
+               {"wait_error_s", "s", "of the board where it is largest"},
+               {"wait_error", "1", "the same, relative"},
+               {"picture_largest", "levels", "largest difference of a channel"},
+               {"picture_mean", "levels", "mean difference"},
+               {"pixels_off", "pixels", "by more than one level"},
+               {"error", "", "that the rung is judged by"},
+               {"simulated_front", "", "on the Pareto front of error and frame time"}},
+              {}};
+  for_each_level(
+      results, [&table](const Rung& rung, const std::string& name, const LevelResult& level) {
+        std::vector<std::string> row = {rung.name, name, rung.reference_name()};
+        const std::vector<std::string> times = time_cells(level);
+        row.insert(row.end(), times.begin(), times.end());
+        const PictureError& picture = level.error.picture;
+        row.insert(row.end(),
+                   {fmt::format("{}", picture.largest), fmt::format("{}", picture.mean),
+                    fmt::format("{}", picture.pixels_off), fmt::format("{}", level.magnitude),
+                    mark_of(level.is_on_simulated_front)});
+        table.rows.push_back(std::move(row));
+      });
+  return table;
+}
+
+Table host_time_table(const std::vector<RungResult>& results) {
+  Table table{{{"rung", "", ""},
+               {"level", "", ""},
+               {"host_time_s", "s", "processor time of one thread, median"},
+               {"host_time_least_s", "s", ""},
+               {"host_time_most_s", "s", ""},
+               {"repeats", "", ""},
+               {"error", "", "that the rung is judged by"},
+               {"host_front", "", "on the Pareto front of error and host time"}},
+              {}};
+  for_each_level(
+      results, [&table](const Rung& rung, const std::string& name, const LevelResult& level) {
+        table.rows.push_back({rung.name, name, fmt::format("{:.4f}", level.host.median_s),
+                              fmt::format("{:.4f}", level.host.least_s),
+                              fmt::format("{:.4f}", level.host.most_s),
+                              fmt::format("{}", level.host.repeats),
+                              fmt::format("{}", level.magnitude), mark_of(level.is_on_host_front)});
+      });
+  return table;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "models/duration.hpp"
+#include "models/picture.hpp"
+
+namespace maquette::sim {
+
+/// What the machine did, of a level that simulates it.
+struct SimulatedTimes {
+  models::Duration frame{};
+  std::vector<models::Duration> waits;  ///< for grants of the bus, by board
+};
+
+/// What comes of computing a scene at one level. All but the host time is determined by the input.
+struct LevelOutcome {
+  std::optional<SimulatedTimes> simulated;
+  models::Picture picture;
+  double host_time_s = 0;  ///< processor time
+};
+
+}  // namespace maquette::sim

@@ -1,0 +1,155 @@
+#include "sim/command_line/accuracy_command.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "sim/accuracy/accuracy_json.hpp"
+#include "sim/accuracy/accuracy_plot.hpp"
+#include "sim/accuracy/accuracy_report.hpp"
+#include "sim/accuracy/accuracy_tables.hpp"
+#include "sim/accuracy/rungs.hpp"
+#include "sim/command_line/common_options.hpp"
+#include "sim/report/progress.hpp"
+#include "sim/report/run_directory.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/level_run.hpp"
+#include "sim/run/simulation.hpp"
+#include "sim/sweep/gnuplot.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+struct AccuracyOptions {
+  CommonOptions common;
+  std::string outdir;
+  std::vector<std::string> rungs;
+  std::vector<std::string> quanta = default_quanta();
+  int repeats = 3;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& verb, AccuracyOptions& options) {
+  add_common_options(verb, options.common);
+  verb.add_option("--outdir", options.outdir,
+                  "directory of the results (default: runs/NAME-OF-SCENE-accuracy)")
+      ->type_name("DIR");
+  verb.add_option("--rung", options.rungs, "only this rung (repeatable; default: all)")
+      ->check(CLI::IsMember(rung_names()))
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--quantum", options.quanta,
+                  "a quantum of the decoupled bus (repeatable; default: 1 us to 100 ms by tens)")
+      ->type_name("TIME")
+      ->expected(1)
+      ->take_all();
+  verb.add_option("--repeats", options.repeats, "how often each level is run for its host time")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  verb.add_flag("--quiet", options.quiet, "neither progress nor table");
+  verb.footer(
+      "accuracy.csv and accuracy.json hold what the input determines. Processor times of the host, "
+      "which no\ntwo runs share, are in host_times.csv, host_times.json, manifest.json and the "
+      "plots over host time alone.");
+}
+
+std::vector<Rung> wanted_rungs(const AccuracyOptions& options, const Scene& scene) {
+  std::vector<Rung> rungs = rungs_of(scene, options.quanta);
+  if (!options.rungs.empty()) {
+    rungs.erase(std::remove_if(rungs.begin(), rungs.end(),
+                               [&options](const Rung& rung) {
+                                 return std::find(options.rungs.begin(), options.rungs.end(),
+                                                  rung.name) == options.rungs.end();
+                               }),
+                rungs.end());
+  }
+  return rungs;
+}
+
+/// The levels of all rungs, one after another, each checked.
+std::vector<LevelTask> tasks_of(const std::vector<Rung>& rungs, const DescriptionSources& sources) {
+  std::vector<LevelTask> tasks;
+  for (const Rung& rung : rungs) {
+    for (const Level& level : rung.levels) {
+      DescriptionSources own = sources;
+      own.overrides.insert(own.overrides.end(), level.overrides.begin(), level.overrides.end());
+      Description description = load_description(own);
+      check_fit(description.scene, description.machine);
+      tasks.push_back({rung.name + ", " + level.name, level.kind, std::move(description.scene),
+                       std::move(description.machine)});
+    }
+  }
+  return tasks;
+}
+
+std::vector<RungResult> results_of(const std::vector<Rung>& rungs,
+                                   const std::vector<std::vector<LevelOutcome>>& outcomes) {
+  std::vector<RungResult> results;
+  auto first = outcomes.begin();
+  for (const Rung& rung : rungs) {
+    const auto last = first + static_cast<std::ptrdiff_t>(rung.levels.size());
+    results.push_back(result_of(rung, {first, last}));
+    first = last;
+  }
+  return results;
+}
+
+int accuracy(const AccuracyOptions& options, const std::vector<std::string>& command) {
+  const auto start = std::chrono::steady_clock::now();
+  const DescriptionSources sources = sources_of(options.common);
+  const Description description = load_description(sources);
+  const std::vector<Rung> rungs = wanted_rungs(options, description.scene);
+  const std::vector<LevelTask> tasks = tasks_of(rungs, sources);
+  const std::filesystem::path directory =
+      options.outdir.empty()
+          ? std::filesystem::path("runs") / (description.scene.name + "-accuracy")
+          : std::filesystem::path(options.outdir);
+  create_run_directory(directory);
+
+  const Interruption interruption;
+  std::vector<std::vector<LevelOutcome>> outcomes;
+  {
+    Progress progress(!options.quiet);
+    const int planned = static_cast<int>(tasks.size()) * options.repeats;
+    outcomes = run_levels(tasks, options.repeats, [&progress, planned](int done) {
+      progress.show_points(done, 0, planned);
+    });
+  }
+  if (Interruption::is_requested()) {
+    return k_exit_interrupted;
+  }
+
+  const std::vector<RungResult> results = results_of(rungs, outcomes);
+  const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
+  write_files(directory,
+              {{"accuracy.csv", table_csv(error_table(results))},
+               {"accuracy.json", error_json(description.scene.name, results)},
+               {"host_times.csv", table_csv(host_time_table(results))},
+               {"host_times.json", host_time_json(results)},
+               {"manifest.json",
+                manifest_json(manifest_of(command, description.input_files, host_time.count()))}});
+  for (const AccuracyPlot& plot : accuracy_plots(results)) {
+    draw(directory / "plots", plot.name, plot.script);
+  }
+  if (!options.quiet) {
+    fmt::print("{}written: {}\n", accuracy_report(results), directory.string());
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_accuracy_command(CLI::App& program, const std::vector<std::string>& command,
+                          int& exit_code) {
+  const auto options = std::make_shared<AccuracyOptions>();
+  CLI::App& verb = *program.add_subcommand(
+      "accuracy", "a scene at several levels: error against run time, each with its reference");
+  add_options(verb, *options);
+  verb.callback([options, &command, &exit_code] { exit_code = accuracy(*options, command); });
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,167 @@
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+#include <regex>
+
+#include "tests/program/program.hpp"
+
+using namespace maquette::tests;
+using Json = nlohmann::json;
+
+namespace {
+
+/// A frame of a few pixels: a level takes milliseconds.
+const std::string k_tiny_frame =
+    " --set frame_memory.width=48pixels --set frame_memory.height=36pixels ";
+
+std::string command_of(const ScratchDirectory& scratch, const std::string& options) {
+  return "accuracy " + scratch.file("small.yaml", k_small_scene) + k_tiny_frame + options;
+}
+
+Outcome accuracy(const ScratchDirectory& scratch, const std::string& options,
+                 const std::string& directory) {
+  return run_maquette(
+      command_of(scratch, "--outdir " + (scratch / directory).string() + " " + options));
+}
+
+Json errors_of(const ScratchDirectory& scratch, const std::string& directory) {
+  return Json::parse(content_of(scratch / directory / "accuracy.json"));
+}
+
+Json rung_of(const Json& errors, const std::string& name) {
+  for (const Json& rung : errors["rungs"]) {
+    if (rung["name"] == name) {
+      return rung;
+    }
+  }
+  FAIL("no rung " << name);
+  return {};
+}
+
+Json level_of(const Json& rung, const std::string& name) {
+  for (const Json& level : rung["levels"]) {
+    if (level["level"] == name) {
+      return level;
+    }
+  }
+  FAIL("no level " << name);
+  return {};
+}
+
+}  // namespace
+
+TEST_CASE("every level is held against its reference, and only host times differ from run to run") {
+  const ScratchDirectory scratch;
+  const Outcome outcome = accuracy(scratch, "--repeats 1", "one");
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  REQUIRE(accuracy(scratch, "--repeats 2 --quiet", "two").exit_code == 0);
+  for (const char* name : {"accuracy.csv", "accuracy.json"}) {
+    CHECK(content_of(scratch / "one" / name) == content_of(scratch / "two" / name));
+  }
+  for (const char* rung : {"bus", "number", "depth", "weight"}) {
+    CHECK(outcome.output.find(std::string(rung) + ": ") != std::string::npos);
+    for (const char* ending : {".svg", ".png", ".gp"}) {
+      const auto file =
+          scratch / "one" / "plots" / (std::string(rung) + "-over-host-time" + ending);
+      CHECK(std::filesystem::file_size(file) > 1000);
+    }
+  }
+  for (const Json& rung : errors_of(scratch, "one")["rungs"]) {
+    const Json reference = level_of(rung, rung["reference"]);
+    CHECK(reference["error"] == 0);
+    CHECK(reference["pixels_off"] == 0);
+    for (const Json& board : reference["boards"]) {
+      CHECK(board["wait_error_s"] == 0);
+    }
+  }
+}
+
+TEST_CASE("levels of the bus: the same picture, exact below an access, no wait when ideal") {
+  const ScratchDirectory scratch;
+  REQUIRE(
+      accuracy(scratch, "--rung bus --repeats 1 --quiet --quantum 500ns --quantum \"1 ms\"", "out")
+          .exit_code == 0);
+  const Json bus = rung_of(errors_of(scratch, "out"), "bus");
+  REQUIRE(bus["levels"].size() == 4);
+  CHECK(bus["reference"] == "transaction");
+  for (const Json& level : bus["levels"]) {
+    CHECK(level["picture_largest"] == 0);
+    CHECK(level["picture_mean"] == 0);
+  }
+  const Json exact = level_of(bus, "decoupled 500ns");
+  CHECK(exact["frame_time_error"] == 0);
+  CHECK(exact["wait_error_s"] == 0);
+  const Json ideal = level_of(bus, "ideal");
+  CHECK(ideal["wait_s"] == 0);
+  CHECK(ideal["wait_error"] == -1);
+  CHECK(ideal["frame_time_s"].get<double>() <=
+        level_of(bus, "transaction")["frame_time_s"].get<double>());
+}
+
+TEST_CASE("on a saturated bus no level but the exact one is right") {
+  const ScratchDirectory scratch;
+  REQUIRE(accuracy(scratch,
+                   "--rung bus --repeats 1 --quiet --quantum \"1 ms\" --set processors=64 "
+                   "--machine m68020 "
+                   "--set frame_memory.access_time=\"30 us\" --set bus.timeout=\"0 s\"",
+                   "out")
+              .exit_code == 0);
+  const Json bus = rung_of(errors_of(scratch, "out"), "bus");
+  CHECK(level_of(bus, "decoupled 1 ms")["frame_time_error"].get<double>() > 0.05);
+  CHECK(level_of(bus, "ideal")["frame_time_error"].get<double>() < -0.05);
+}
+
+TEST_CASE("a run at a level of the bus says so and runs again from its configuration") {
+  const ScratchDirectory scratch;
+  const std::string run = "run " + scratch.file("small.yaml", k_small_scene) + k_tiny_frame;
+  const std::string first = (scratch / "first").string();
+  REQUIRE(
+      run_maquette(run + "--bus decoupled --quantum 20us --quiet --outdir " + first).exit_code ==
+      0);
+  CHECK(std::regex_search(content_of(scratch / "first" / "config.yaml"),
+                          std::regex("level: decoupled\n *quantum: 20 us")));
+  REQUIRE(run_maquette("run " + first + "/config.yaml --quiet --outdir " +
+                       (scratch / "second").string())
+              .exit_code == 0);
+  CHECK(content_of(scratch / "first" / "stats.json") ==
+        content_of(scratch / "second" / "stats.json"));
+}
+
+TEST_CASE("Bad input is refused before anything is written") {
+  const ScratchDirectory scratch;
+  struct Case {
+    const char* options;
+    const char* pattern;
+  };
+  const Case cases[] = {{"--quantum 5", "quantum.*us"},       {"--quantum=-1us", "quantum"},
+                        {"--quantum \"2 s\"", "quantum"},     {"--rung ladder", "bus"},
+                        {"--repeats 0", "repeats"},           {"--machine zx81", "zx81"},
+                        {"--set processors=0", "processors"}, {"--set board.stack=256B", "stack"}};
+  for (const Case& c : cases) {
+    const Outcome outcome = accuracy(scratch, c.options, "out");
+    INFO(c.options << "\n" << outcome.errors);
+    CHECK(outcome.exit_code == 2);
+    CHECK(std::regex_search(outcome.errors, std::regex(c.pattern)));
+    CHECK_FALSE(std::filesystem::exists(scratch / "out"));
+  }
+  CHECK(run_maquette("accuracy " + (scratch / "missing.yaml").string()).exit_code == 2);
+  const std::string run = "run " + scratch.file("small.yaml", k_small_scene) + k_tiny_frame;
+  const std::string out = " --outdir " + (scratch / "out").string();
+  CHECK(run_maquette(run + "--bus decoupled --quantum 5" + out).exit_code == 2);
+  CHECK(
+      run_maquette(run + "--bus ideal --trace " + (scratch / "t.json").string() + out).exit_code ==
+      2);
+  CHECK_FALSE(std::filesystem::exists(scratch / "out"));
+}
+
+TEST_CASE("An unwritable directory, and a machine that does not work, leave nothing") {
+  const ScratchDirectory scratch;
+  const std::string file = scratch.file("occupied", "a file");
+  CHECK(run_maquette(command_of(scratch, "--outdir " + file + "/out")).exit_code == 2);
+  const Outcome outcome = accuracy(
+      scratch, "--rung bus --set bus.timeout=8us --set frame_memory.access_time=7.9us", "out");
+  INFO(outcome.errors);
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.errors.find("level bus, transaction") != std::string::npos);
+  CHECK(std::filesystem::is_empty(scratch / "out"));
+}
