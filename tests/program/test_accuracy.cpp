@@ -102,8 +102,8 @@ TEST_CASE("on a saturated bus no level but the exact one is right") {
   const ScratchDirectory scratch;
   REQUIRE(accuracy(scratch,
                    "--rung bus --repeats 1 --quiet --quantum \"1 ms\" --set processors=64 "
-                   "--machine m68020 "
-                   "--set frame_memory.access_time=\"30 us\" --set bus.timeout=\"0 s\"",
+                   "--machine m68020 --set frame_memory.video_priority=false "
+                   "--set \"frame_memory.access_time=30 us\"",
                    "out")
               .exit_code == 0);
   const Json bus = rung_of(errors_of(scratch, "out"), "bus");
@@ -158,8 +158,8 @@ TEST_CASE("An unwritable directory, and a machine that does not work, leave noth
   const ScratchDirectory scratch;
   const std::string file = scratch.file("occupied", "a file");
   CHECK(run_maquette(command_of(scratch, "--outdir " + file + "/out")).exit_code == 2);
-  const Outcome outcome = accuracy(
-      scratch, "--rung bus --set bus.timeout=8us --set frame_memory.access_time=7.9us", "out");
+  const Outcome outcome =
+      accuracy(scratch, "--rung bus --set \"frame_memory.access_time=30 us\"", "out");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.errors.find("level bus, transaction") != std::string::npos);
