@@ -17,8 +17,16 @@ inline constexpr NodeIndex k_no_node = 0xFFFFFFFF;
 /// The medium outside of every body.
 inline constexpr SurfaceIndex k_void = 0xFFFF;
 
-enum class PrimitiveKind : std::uint8_t { half_space, box, sphere, cylinder, cone, revolution };
-inline constexpr int k_primitive_kind_count = 6;
+enum class PrimitiveKind : std::uint8_t {
+  half_space,
+  box,
+  sphere,
+  cylinder,
+  cone,
+  revolution,
+  terrain
+};
+inline constexpr int k_primitive_kind_count = 7;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 

@@ -6,6 +6,7 @@
 #include "firmware/primitives/half_space.hpp"
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/sphere.hpp"
+#include "firmware/primitives/terrain.hpp"
 
 namespace maquette::firmware {
 
@@ -24,6 +25,8 @@ inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
      convex_hit_limit<Real>, true},
     {revolution::intersect<Real>, revolution::settle<Real>, revolution::normal<Real>,
      revolution::bounds<Real>, revolution::hit_limit<Real>, false},
+    {terrain::intersect<Real>, terrain::settle<Real>, terrain::normal<Real>, terrain::bounds<Real>,
+     terrain::hit_limit<Real>, false},
 };
 
 template <class Real>

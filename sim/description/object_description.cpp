@@ -22,18 +22,19 @@ struct KindName {
   ObjectKind kind;
 };
 
-constexpr std::array<KindName, 9> k_kinds = {{{"half_space", ObjectKind::half_space},
-                                              {"box", ObjectKind::box},
-                                              {"sphere", ObjectKind::sphere},
-                                              {"cylinder", ObjectKind::cylinder},
-                                              {"cone", ObjectKind::cone},
-                                              {"revolution", ObjectKind::revolution},
-                                              {"union", ObjectKind::union_of},
-                                              {"intersection", ObjectKind::intersection},
-                                              {"difference", ObjectKind::difference}}};
+constexpr std::array<KindName, 10> k_kinds = {{{"half_space", ObjectKind::half_space},
+                                               {"box", ObjectKind::box},
+                                               {"sphere", ObjectKind::sphere},
+                                               {"cylinder", ObjectKind::cylinder},
+                                               {"cone", ObjectKind::cone},
+                                               {"revolution", ObjectKind::revolution},
+                                               {"terrain", ObjectKind::terrain},
+                                               {"union", ObjectKind::union_of},
+                                               {"intersection", ObjectKind::intersection},
+                                               {"difference", ObjectKind::difference}}};
 
 constexpr std::string_view k_kind_list =
-    "half_space, box, sphere, cylinder, cone, revolution, union, intersection, difference";
+    "half_space, box, sphere, cylinder, cone, revolution, terrain, union, intersection, difference";
 
 bool is_operator(ObjectKind kind) {
   return kind == ObjectKind::union_of || kind == ObjectKind::intersection ||
@@ -116,6 +117,8 @@ void read_primitive(const YamlEntry& entry, Object& object) {
     check_sphere(entry.value);
   } else if (const auto* revolution = std::get_if<RevolutionShape>(&object.shape)) {
     check_revolution(*revolution, entry.value);
+  } else if (const auto* terrain = std::get_if<TerrainShape>(&object.shape)) {
+    check_terrain(*terrain, entry.value);
   }
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/description/shapes/revolution_shape.hpp"
+#include "sim/description/shapes/terrain_shape.hpp"
 #include "sim/description/source_position.hpp"
 
 namespace maquette::sim {
@@ -65,13 +66,14 @@ enum class ObjectKind {
   cylinder,
   cone,
   revolution,
+  terrain,
   union_of,
   intersection,
   difference
 };
 
 /// What some primitives need besides sizes; the alternative goes with the kind of the object.
-using Shape = std::variant<std::monostate, RevolutionShape>;
+using Shape = std::variant<std::monostate, RevolutionShape, TerrainShape>;
 
 /// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
 /// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.

@@ -5,6 +5,7 @@
 #include "sim/description/declaration.hpp"
 #include "sim/description/scene.hpp"
 #include "sim/description/shapes/revolution_fields.hpp"
+#include "sim/description/shapes/terrain_fields.hpp"
 #include "sim/description/value_types.hpp"
 
 /// Every parameter of a scene besides its object tree, declared once.
@@ -147,6 +148,9 @@ void declare_primitive(Visitor& visitor, Object& object) {
       break;
     case ObjectKind::revolution:
       declare_revolution(visitor, shape_of<RevolutionShape>(object));
+      break;
+    case ObjectKind::terrain:
+      declare_terrain(visitor, shape_of<TerrainShape>(object));
       break;
     default:
       break;

@@ -7,6 +7,7 @@
 
 #include "board_functions.hpp"
 #include "firmware/primitives/revolution.hpp"
+#include "firmware/primitives/terrain.hpp"
 
 namespace maquette::sim {
 
@@ -41,6 +42,7 @@ constexpr OptionalCode k_optional_code[] = {
     {"cylinder::", needs_primitive<PrimitiveKind::cylinder>},
     {"cone::", needs_primitive<PrimitiveKind::cone>},
     {"revolution::", needs_primitive<PrimitiveKind::revolution>},
+    {"terrain::", needs_primitive<PrimitiveKind::terrain>},
     {"real_roots::", needs_roots},
     {"laguerre::", needs_roots},
     {"bernstein::", needs_roots},
@@ -134,6 +136,13 @@ constexpr LeafChain k_leaf_chains[] = {
        {"real_roots::add_isolated"},
        {"real_roots::add_between_ends"},
        {"laguerre::refined"}}}},
+    {needs_primitive<PrimitiveKind::terrain>,
+     {{{"cross_spans"},
+       {"terrain::intersect"},
+       {"terrain::follow_half"},
+       {"terrain::follow_over", firmware::terrain::k_level_limit + 1},
+       {"terrain::midpoints"},
+       {"terrain::midpoint"}}}},
 };
 
 std::int64_t chain_bytes(const LeafChain& chain) {

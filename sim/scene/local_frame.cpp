@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/scene/revolution_frame.hpp"
+#include "sim/scene/terrain_frame.hpp"
 
 namespace maquette::sim {
 
@@ -48,6 +49,8 @@ LocalFrame local_frame_of(const Object& primitive) {
       return cone_frame(primitive);
     case ObjectKind::revolution:
       return revolution_frame(std::get<RevolutionShape>(primitive.shape));
+    case ObjectKind::terrain:
+      return terrain_frame(std::get<TerrainShape>(primitive.shape));
     case ObjectKind::half_space:
     case ObjectKind::union_of:
     case ObjectKind::intersection:

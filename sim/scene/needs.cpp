@@ -59,6 +59,7 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"cylinder", needs.primitives[3]},
           {"cone", needs.primitives[4]},
           {"revolution", needs.primitives[5]},
+          {"terrain", needs.primitives[6]},
           {"several spans", needs.several_spans},
           {"union", needs.unions},
           {"intersection", needs.intersections},
