@@ -78,6 +78,7 @@ void write_parameters(const Real* control, int control_points, bool is_open, Rea
   const int sections = section_count(control_points, is_open);
   parameters[0] = from_integer<Real>(sections);
   parameters[1] = constant<Real>(is_open ? 1 : 0);
+  parameters[k_root_tolerance] = constant<Real>(1);
   Real* extents = parameters + k_header_reals;
   Real* points = extents + (2 * sections - 1) * k_extent_reals;
   write_bezier_points(control, control_points, sections, points);

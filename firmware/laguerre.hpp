@@ -64,9 +64,10 @@ Real step_from(const Jet<Real>& jet, int degree, bool rising) {
 }
 
 /// The root in (0, 1] of a polynomial in s that has one there; `terms[0]` and the value at 1 are
-/// not of the same sign. Adds its steps to `steps`.
+/// not of the same sign. Ends when the error expected is at most `tolerance` times the root. Adds
+/// its steps to `steps`.
 template <class Real>
-Real refined(const Polynomial<Real>& polynomial, int& steps) {
+Real refined(const Polynomial<Real>& polynomial, Real tolerance, int& steps) {
   const bool rising = polynomial.terms[0] < constant<Real>(0);
   Real low = constant<Real>(0);
   Real high = constant<Real>(1);
@@ -93,7 +94,7 @@ Real refined(const Polynomial<Real>& polynomial, int& steps) {
     // square of what this one is than the last. Near is also nearer than 0, where s ends.
     const Real move = absolute(next - s);
     last_move = smaller(last_move, s);
-    if (move * move * move <= spacings<Real>(1) * next * last_move * last_move) {
+    if (move * move * move <= tolerance * next * last_move * last_move) {
       return next;
     }
     last_move = move;
@@ -106,9 +107,10 @@ Real refined(const Polynomial<Real>& polynomial, int& steps) {
 
 /// The root in [0, 1] of a polynomial whose first and last terms are of opposite signs; one of
 /// several where there are more. Laguerre's method from the middle, inside a bracket that every
-/// step narrows, with bisection where a step would leave it. Adds its steps to `steps`.
+/// step narrows, with bisection where a step would leave it, until the error expected is at most
+/// `tolerance` times the distance to the nearer end. Adds its steps to `steps`.
 template <class Real>
-Real refine_root(const Polynomial<Real>& polynomial, int& steps) {
+Real refine_root(const Polynomial<Real>& polynomial, Real tolerance, int& steps) {
   const Real one = constant<Real>(1);
   const int degree = polynomial.degree;
   charge<Real>(Operation::root);
@@ -119,7 +121,7 @@ Real refine_root(const Polynomial<Real>& polynomial, int& steps) {
   }
   charge<Real>(Operation::branch);
   if (sign_of(middle) * sign_of(polynomial.terms[0]) <= 0) {
-    const Real s = laguerre::refined(polynomial, steps);
+    const Real s = laguerre::refined(polynomial, tolerance, steps);
     return s / (one + s);
   }
   // The upper half: from its other end, s = (1 - u) / u.
@@ -129,7 +131,7 @@ Real refine_root(const Polynomial<Real>& polynomial, int& steps) {
     charge<Real>(Operation::loop);
     reversed.terms[i] = polynomial.terms[degree - i];
   }
-  return one / (one + laguerre::refined(reversed, steps));
+  return one / (one + laguerre::refined(reversed, tolerance, steps));
 }
 
 }  // namespace maquette::firmware

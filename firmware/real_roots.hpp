@@ -16,18 +16,20 @@ template <class Real>
 struct RealRoots {
   Real at[k_degree_limit];  ///< in ascending order
   int count;
-  int limit;  ///< the degree of the polynomial
-  int steps;  ///< of Laguerre's method, all roots together
+  int limit;       ///< the degree of the polynomial
+  int steps;       ///< of Laguerre's method, all roots together
+  Real tolerance;  ///< of each root, relative to its distance from the nearer end of its interval
 };
 
 namespace real_roots {
 
 template <class Real>
-RealRoots<Real> none_of(int degree) {
+RealRoots<Real> none_of(int degree, Real tolerance) {
   RealRoots<Real> roots;
   roots.count = 0;
   roots.limit = degree;
   roots.steps = 0;
+  roots.tolerance = tolerance;
   return roots;
 }
 
@@ -101,7 +103,7 @@ void add_between_ends(const Polynomial<Real>& polynomial, const Span<Real>& span
                       RealRoots<Real>& roots) {
   charge<Real>(Operation::branch);
   if (sign_of(polynomial.terms[0]) * sign_of(polynomial.terms[polynomial.degree]) < 0) {
-    add(roots, span.low + span.width * refine_root(polynomial, roots.steps));
+    add(roots, span.low + span.width * refine_root(polynomial, roots.tolerance, roots.steps));
   }
 }
 
@@ -155,8 +157,8 @@ void isolate(const Curve& curve, const Span<Real>& span, RealRoots<Real>& roots)
 /// The roots in [0, 1] of the polynomial, of the given degree, of a curve that is bisected in a
 /// form of its own.
 template <class Real, class Curve>
-RealRoots<Real> roots_of_curve(const Curve& curve, int degree) {
-  RealRoots<Real> roots = real_roots::none_of<Real>(degree);
+RealRoots<Real> roots_of_curve(const Curve& curve, int degree, Real tolerance = spacings<Real>(1)) {
+  RealRoots<Real> roots = real_roots::none_of<Real>(degree, tolerance);
   real_roots::isolate(curve, real_roots::Span<Real>{constant<Real>(0), constant<Real>(1), 0},
                       roots);
   return roots;
@@ -165,8 +167,8 @@ RealRoots<Real> roots_of_curve(const Curve& curve, int degree) {
 /// The roots in [0, 1] of a polynomial. Pairs that rounding does not separate may be missing,
 /// always both of them. The zero polynomial has none.
 template <class Real>
-RealRoots<Real> roots_of(const Polynomial<Real>& polynomial) {
-  RealRoots<Real> roots = real_roots::none_of<Real>(polynomial.degree);
+RealRoots<Real> roots_of(const Polynomial<Real>& polynomial, Real tolerance = spacings<Real>(1)) {
+  RealRoots<Real> roots = real_roots::none_of<Real>(polynomial.degree, tolerance);
   const real_roots::Span<Real> whole{constant<Real>(0), constant<Real>(1), 0};
   charge<Real>(Operation::call);
   if (!real_roots::add_isolated(polynomial, whole, roots)) {

@@ -7,7 +7,8 @@
 /// discs at its ends close the solid. Faces: the sections by their numbers, then the first and the
 /// last disc.
 ///
-/// Parameters: number of sections; 1 if open, 0 if closed; the extents of a balanced binary tree
+/// Parameters: number of sections; 1 if open, 0 if closed; tolerance of the roots that give a ray's
+/// hits, in spacings of the numbers; the extents of a balanced binary tree
 /// over the sections, each node before its sons; the control points, three for each section and the
 /// last.
 namespace maquette::firmware::revolution {
@@ -18,7 +19,8 @@ inline constexpr int k_hit_limit = k_section_limit * k_section_degree + 2;
 static_assert(k_hit_limit <= k_primitive_hit_limit);
 inline constexpr std::uint8_t k_first_disc = k_section_limit;
 inline constexpr std::uint8_t k_last_disc = k_section_limit + 1;
-inline constexpr std::ptrdiff_t k_header_reals = 2;
+inline constexpr std::ptrdiff_t k_header_reals = 3;
+inline constexpr std::ptrdiff_t k_root_tolerance = 2;  ///< its place among the parameters
 inline constexpr std::ptrdiff_t k_extent_reals = 4;
 
 /// Around the control points of a node's sections.
@@ -128,7 +130,9 @@ void sort(Hit<Real>* hits, int count) {
 template <class Real>
 int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Generatrix<Real> curve = generatrix(parameters);
-  const AxialRay<Real> axial = axial_ray(ray);
+  AxialRay<Real> axial = axial_ray(ray);
+  charge<Real>(Operation::load);
+  axial.root_tolerance *= parameters[k_root_tolerance];
   int count = intersect_node(axial, curve, 0, 0, curve.sections, hits);
   charge<Real>(Operation::branch);
   if (curve.is_open) {

@@ -33,7 +33,8 @@ struct AxialRay {
   Real slope;
   Real way;
   Real across;
-  Real passing;  ///< distance from the axis to the line
+  Real passing;                             ///< distance from the axis to the line
+  Real root_tolerance = spacings<Real>(1);  ///< of the parameters u of its hits
 
   /// In lengths of the ray's direction.
   [[nodiscard]] Real distance(Real s) const { return (base + s) * inverse_length; }
@@ -215,7 +216,8 @@ int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t 
     charge<Real>(Operation::loop);
     ordinate = ray.scaled_way(ordinate);
   }
-  const RealRoots<Real> roots = roots_of(firmware::polynomial_of(polygon_of(way)));
+  const RealRoots<Real> roots =
+      roots_of(firmware::polynomial_of(polygon_of(way)), ray.root_tolerance);
   int count = 0;
   for (int i = 0; i < roots.count; ++i) {
     charge<Real>(Operation::loop);
@@ -248,7 +250,7 @@ int intersect_section(const AxialRay<Real>& ray, const Real* points, std::uint8_
     return intersect_level(ray, points, face, hits);
   }
   const SectionCurve<Real> curve = section_curve(ray, points);
-  const RealRoots<Real> roots = roots_of_curve<Real>(curve, k_section_degree);
+  const RealRoots<Real> roots = roots_of_curve<Real>(curve, k_section_degree, ray.root_tolerance);
   for (int i = 0; i < roots.count; ++i) {
     charge<Real>(Operation::loop);
     hits[i] = {ray.distance(place_at(ray, curve, points, roots.at[i])), face};

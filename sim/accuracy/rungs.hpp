@@ -24,6 +24,10 @@ namespace maquette::sim {
 /// Below which weight no ray is cast, against a weight that no level of the picture can show.
 [[nodiscard]] Rung weight_rung(const RayTree& scene);
 
+/// How near the roots that give a ray's hits come to the exact ones, against the rounding of the
+/// numbers.
+[[nodiscard]] Rung roots_rung();
+
 /// The rungs that a scene has something to vary for.
 [[nodiscard]] std::vector<Rung> rungs_of(const Scene& scene,
                                          const std::vector<std::string>& quanta);

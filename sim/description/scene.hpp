@@ -97,6 +97,11 @@ struct RayTree {
   double minimum_weight = 1.0 / 256;
 };
 
+/// How near numerical solutions come to the exact ones.
+struct Roots {
+  double tolerance = 1;  ///< of those that give a ray's hits, in spacings of the numbers
+};
+
 /// A checked scene: every name resolves, every value is in its range.
 struct Scene {
   std::string name;
@@ -106,6 +111,7 @@ struct Scene {
   Color background{0, 0, 0};
   std::vector<Surface> surfaces;
   RayTree ray_tree;
+  Roots roots;
   bool shadows = true;
   Object object;
 };

@@ -90,6 +90,12 @@ void declare_ray_tree(Visitor& visitor, RayTree& tree) {
                 RealType{RealDimension::fraction, {0, 1}});
 }
 
+template <class Visitor>
+void declare_roots(Visitor& visitor, Roots& roots) {
+  visitor.field({"tolerance", "of the roots that give a ray's hits, in spacings of the numbers"},
+                roots.tolerance, RealType{RealDimension::number, {1, 1e6}});
+}
+
 /// Lights, surfaces and the object tree come besides: they are named or nested.
 template <class Visitor>
 void declare_scene(Visitor& visitor, Scene& scene) {
@@ -102,6 +108,8 @@ void declare_scene(Visitor& visitor, Scene& scene) {
   visitor.field({"shadows", "lights are blocked by objects"}, scene.shadows, FlagType{});
   visitor.group({"ray_tree", "where the binary tree of rays ends"},
                 [&] { declare_ray_tree(visitor, scene.ray_tree); });
+  visitor.group({"roots", "how near numerical solutions come to the exact ones"},
+                [&] { declare_roots(visitor, scene.roots); });
 }
 
 /// A sphere gives `radius`, an ellipsoid `radii`.

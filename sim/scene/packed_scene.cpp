@@ -4,6 +4,7 @@
 #include <unordered_map>
 
 #include "firmware/counted.hpp"
+#include "firmware/primitives/revolution.hpp"
 #include "sim/scene/local_frame.hpp"
 #include "sim/scene/needs.hpp"
 #include "sim/scene/surface_packing.hpp"
@@ -108,7 +109,8 @@ class UsedSurfaces {
 };
 
 template <class Real>
-void pack_leaves(const ObjectTree& tree, const UsedSurfaces& surfaces, PackedScene<Real>& packed) {
+void pack_leaves(const Scene& scene, const ObjectTree& tree, const UsedSurfaces& surfaces,
+                 PackedScene<Real>& packed) {
   for (const TreeLeaf& leaf : tree.leaves) {
     packed.leaves.push_back({leaf.father, leaf.kind, surfaces.number_of(leaf.surface),
                              static_cast<std::uint32_t>(packed.parameters.size()),
@@ -116,6 +118,11 @@ void pack_leaves(const ObjectTree& tree, const UsedSurfaces& surfaces, PackedSce
                              rounded<Real>(inverse_of(leaf.to_scene))});
     for (const double parameter : leaf.parameters) {
       packed.parameters.push_back(rounded<Real>(parameter));
+    }
+    if (leaf.kind == firmware::PrimitiveKind::revolution) {
+      packed.parameters[packed.leaves.back().first_parameter +
+                        firmware::revolution::k_root_tolerance] =
+          rounded<Real>(scene.roots.tolerance);
     }
   }
 }
@@ -127,7 +134,7 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) 
   const ObjectTree tree = object_tree_of(scene);
   const UsedSurfaces surfaces(scene, tree);
   PackedScene<Real> packed;
-  pack_leaves(tree, surfaces, packed);
+  pack_leaves(scene, tree, surfaces, packed);
   packed.composites = tree.composites;
   packed.tree_height = tree.height;
   for (const firmware::Surface<double>& surface : surfaces.packed()) {

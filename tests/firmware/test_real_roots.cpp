@@ -235,6 +235,29 @@ TEMPLATE_TEST_CASE("Roots do not depend on the scale of the polynomial", "", flo
   }
 }
 
+TEST_CASE("A wider tolerance costs fewer steps, moves no root by more, and loses none") {
+  Random random(1706);
+  long last_steps = std::numeric_limits<long>::max();
+  for (const double tolerance : {1e-15, 1e-12, 1e-9, 1e-6, 1e-3}) {
+    Random same = random;
+    long steps = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const std::vector<double> roots = {same.uniform(0.02, 0.3), same.uniform(0.35, 0.65),
+                                         same.uniform(0.7, 0.98)};
+      const Polynomial<double> polynomial = with_roots(roots, 6, same);
+      const RealRoots<double> found = roots_of(polynomial, tolerance);
+      REQUIRE(found.count == 3);
+      for (int k = 0; k < 3; ++k) {
+        CAPTURE(i, k, tolerance);
+        CHECK(std::abs(found.at[k] - roots[static_cast<std::size_t>(k)]) <= tolerance + 1e-12);
+      }
+      steps += found.steps;
+    }
+    CHECK(steps < last_steps);
+    last_steps = steps;
+  }
+}
+
 TEMPLATE_TEST_CASE("Extreme terms give roots in [0, 1], few and in order, or none", "", float,
                    double) {
   using Limits = std::numeric_limits<TestType>;
