@@ -26,8 +26,8 @@ struct Machine {
   models::MachineParameters parameters;  ///< boards are placed
   std::string arithmetic_name;
   std::array<CostSource, firmware::k_operation_count> arithmetic_sources;
-  std::int64_t stack_bytes = 4096;     ///< reserved in a board's RAM
-  int crossing_capacity = 256;         ///< of the work area for ray crossings
+  std::int64_t stack_bytes = 16384;    ///< reserved in a board's RAM
+  int crossing_capacity = 1024;        ///< of the work area for ray crossings
   int ray_capacity = 32;               ///< of the work area for rays that wait
   std::int64_t system_bytes = 8192;    ///< monitor and vectors at the bottom of RAM
   bool allow_memory_overflow = false;  ///< simulate although the scene does not fit

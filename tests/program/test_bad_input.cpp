@@ -78,12 +78,12 @@ TEST_CASE("Bad options are refused") {
 TEST_CASE("A scene that a board cannot hold is refused with the figure, unless allowed") {
   const ScratchDirectory scratch;
   const std::string run = "run " + scratch.file("scene.yaml", k_small_scene) + k_small_frame;
-  check_refused(run + "--set board.ram=16KiB", scratch, R"(scene\.yaml:\d+:\d+: .*\d+ more than)");
+  check_refused(run + "--set board.ram=32KiB", scratch, R"(scene\.yaml:\d+:\d+: .*\d+ more than)");
   check_refused(run + "--set board.crossings=4", scratch, R"(needs \d+ crossings.* has 4)");
   check_refused(run + "--set board.waiting_rays=1", scratch, R"(needs \d+ waiting rays.* has 1)");
   check_refused(run + "--set board.stack=256B", scratch, R"(needs \d+ bytes of stack.* has 256)");
   const Outcome allowed =
-      run_maquette(run + "--set board.ram=16KiB --set board.allow_overflow=true" +
+      run_maquette(run + "--set board.ram=32KiB --set board.allow_overflow=true" +
                    " --quiet --outdir " + (scratch / "out").string());
   INFO(allowed.errors);
   CHECK(allowed.exit_code == 0);
