@@ -111,6 +111,21 @@ TEST_CASE("on a saturated bus no level but the exact one is right") {
   CHECK(level_of(bus, "ideal")["frame_time_error"].get<double>() < -0.05);
 }
 
+TEST_CASE("roots that are less near take less simulated time") {
+  const ScratchDirectory scratch;
+  const std::string scene =
+      std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/primitives/revolution.yaml";
+  REQUIRE(run_maquette("accuracy " + scene + k_tiny_frame + "--rung roots --repeats 1 --quiet " +
+                       "--outdir " + (scratch / "out").string())
+              .exit_code == 0);
+  const Json levels = rung_of(errors_of(scratch, "out"), "roots")["levels"];
+  REQUIRE(levels.size() > 2);
+  for (std::size_t i = 1; i < levels.size(); ++i) {
+    CHECK(levels[i]["frame_time_s"].get<double>() <= levels[i - 1]["frame_time_s"].get<double>());
+  }
+  CHECK(levels.back()["frame_time_error"].get<double>() < -0.001);
+}
+
 TEST_CASE("a run at a level of the bus says so and runs again from its configuration") {
   const ScratchDirectory scratch;
   const std::string run = "run " + scratch.file("small.yaml", k_small_scene) + k_tiny_frame;

@@ -26,7 +26,10 @@ Scene scene_with(const RayTree& tree, double specular) {
 }  // namespace
 
 TEST_CASE("rungs have names of their own and a reference") {
-  const std::vector<Rung> rungs = rungs_of(scene_with({}, 1), default_quanta());
+  Scene scene = scene_with({}, 1);
+  scene.object.sons.resize(1);
+  scene.object.sons[0].kind = ObjectKind::revolution;
+  const std::vector<Rung> rungs = rungs_of(scene, default_quanta());
   std::set<std::string> names;
   for (const Rung& rung : rungs) {
     CHECK(names.insert(rung.name).second);
@@ -40,12 +43,16 @@ TEST_CASE("rungs have names of their own and a reference") {
   CHECK(names == std::set<std::string>(all.begin(), all.end()));
 }
 
+TEST_CASE("what a scene has not is not varied") {
+  CHECK(rungs_of(scene_with({}, 0), {}).size() == 2);
+  CHECK(rungs_of(scene_with({}, 1), {}).size() == 4);
+}
+
 TEST_CASE("the tree of rays is varied around the scene's own, where there is one") {
   CHECK(has(depth_rung({5, 0.25}), "ray_tree.depth=5"));
   CHECK(has(depth_rung({5, 0.25}), "ray_tree.minimum_weight=0.25"));
   CHECK(has(weight_rung({5, 0.03}), "ray_tree.minimum_weight=0.03"));
   CHECK(has(weight_rung({5, 0.03}), "ray_tree.depth=5"));
-  CHECK(rungs_of(scene_with({}, 0), {}).size() == 2);
 }
 
 TEST_CASE("no tree of rays grows without bound") {
