@@ -1,51 +1,15 @@
 #pragma once
 
 #include "firmware/primitives/revolution.hpp"
+#include "firmware/spline.hpp"
 
 /// From the control points of a uniform cubic B-spline to the parameters of a solid of revolution
 /// (paper, sections IV.2.1 and IV.2.2).
 namespace maquette::firmware::revolution {
 
-/// Sections of a spline with so many control points; an open one needs four, a closed one three.
-constexpr int section_count(int control_points, bool is_open) {
-  return is_open ? control_points - 3 : control_points;
-}
-
 constexpr std::ptrdiff_t parameter_count(int sections) {
   return k_header_reals + (2 * sections - 1) * k_extent_reals + sections * k_section_stride +
          k_point_reals;
-}
-
-/// Change of basis: the Bezier points of all sections, one coordinate. `control` and `points` hold
-/// pairs (r, z); joints are computed once, so that sections share them.
-template <class Real>
-void write_bezier_points(const Real* control, int control_points, int sections, Real* points) {
-  const Real third = constant<Real>(1) / constant<Real>(3);
-  const auto at = [&](int index, int coordinate) {
-    charge<Real>(Operation::load);
-    return control[index % control_points * k_point_reals + coordinate];
-  };
-  for (int i = 0; i <= sections; ++i) {
-    for (int k = 0; k < 2; ++k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::store, 3);
-      const Real before = at(i, k);
-      const Real middle = at(i + 1, k);
-      const Real after = at(i + 2, k);
-      const Real two = constant<Real>(2);
-      Real* joint = points + i * k_section_stride + k;
-      joint[0] =
-          ((before + two * middle) * third + (after + two * middle) * third) * constant<Real>(0.5);
-      if (i < sections) {
-        joint[2] = (two * middle + after) * third;
-        joint[4] = (middle + two * after) * third;
-      }
-    }
-  }
-  if (section_count(control_points, false) == sections) {
-    points[sections * k_section_stride] = points[0];
-    points[sections * k_section_stride + 1] = points[1];
-  }
 }
 
 /// Extents of the tree's nodes from the control points, each node before its sons.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/primitives/hit_order.hpp"
 #include "firmware/primitives/revolution_section.hpp"
 
 /// A solid of revolution about the z axis (paper, section IV): its generatrix is a chain of cubic
@@ -113,21 +114,6 @@ int intersect_disc(const AxialRay<Real>& ray, const Real* point, std::uint8_t fa
 }
 
 template <class Real>
-void sort(Hit<Real>* hits, int count) {
-  for (int i = 1; i < count; ++i) {
-    const Hit<Real> hit = hits[i];
-    int k = i;
-    charge<Real>(Operation::loop);
-    for (; k > 0 && hit.distance < hits[k - 1].distance; --k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::store, 2);
-      hits[k] = hits[k - 1];
-    }
-    hits[k] = hit;
-  }
-}
-
-template <class Real>
 int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Generatrix<Real> curve = generatrix(parameters);
   AxialRay<Real> axial = axial_ray(ray);
@@ -159,8 +145,8 @@ Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* pa
   const Real* points = curve.section(face);
   const Real radius = radius_of(point);
   const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
-  const Real ratio = radius > constant<Real>(0) ? on.r / radius : constant<Real>(0);
-  return {point.x * ratio, point.y * ratio, on.z};
+  const Real ratio = radius > constant<Real>(0) ? on.x / radius : constant<Real>(0);
+  return {point.x * ratio, point.y * ratio, on.y};
 }
 
 /// Perpendicular to the curve in the half-plane of the point (paper, section IV.2.3), free of the
@@ -178,10 +164,10 @@ Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* pa
   const Real radius = radius_of(point);
   const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
   if (!(radius > zero)) {
-    return {zero, zero, on.change_r > zero ? constant<Real>(-1) : constant<Real>(1)};
+    return {zero, zero, on.change_x > zero ? constant<Real>(-1) : constant<Real>(1)};
   }
-  const Real ratio = on.change_z / radius;
-  return {point.x * ratio, point.y * ratio, -on.change_r};
+  const Real ratio = on.change_y / radius;
+  return {point.x * ratio, point.y * ratio, -on.change_x};
 }
 
 template <class Real>

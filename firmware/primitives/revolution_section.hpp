@@ -1,19 +1,12 @@
 #pragma once
 
-#include <cstddef>
-
+#include "firmware/plane_cubic.hpp"
 #include "firmware/primitives/primitive.hpp"
 #include "firmware/real_roots.hpp"
 
 /// One cubic section of a surface of revolution about the z axis: x^2 + y^2 = r(u)^2, z = z(u) for
 /// 0 <= u <= 1 (paper, section IV.2.3).
 namespace maquette::firmware::revolution {
-
-/// Reals of a control point: r and z.
-inline constexpr std::ptrdiff_t k_point_reals = 2;
-
-/// Reals from one section to the next: four points, the last of them shared.
-inline constexpr std::ptrdiff_t k_section_stride = 3 * k_point_reals;
 
 /// Degree of a section's equation: the most hits that it gives.
 inline constexpr int k_section_degree = 6;
@@ -75,56 +68,6 @@ AxialRay<Real> axial_ray(const Ray<Real>& ray) {
     axial.passing = square_root(nearest.x * nearest.x + nearest.y * nearest.y);
   }
   return axial;
-}
-
-/// A cubic by its Bezier ordinates.
-template <class Real>
-struct Cubic {
-  Real at[4];
-};
-
-/// r(u), or z(u) from the second real on.
-template <class Real>
-Cubic<Real> coordinate(const Real* points) {
-  charge<Real>(Operation::load, 4);
-  return {{points[0], points[2], points[4], points[6]}};
-}
-
-template <class Real>
-ControlPolygon<Real> polygon_of(const Cubic<Real>& cubic) {
-  return {3, {cubic.at[0], cubic.at[1], cubic.at[2], cubic.at[3]}};
-}
-
-template <class Real>
-Real value_at(const Cubic<Real>& cubic, Real u) {
-  const Real v = constant<Real>(1) - u;
-  const Real three = constant<Real>(3);
-  const Real middle = three * (v * cubic.at[1] + u * cubic.at[2]);
-  return v * (v * (v * cubic.at[0]) + u * middle) + u * (u * (u * cubic.at[3]));
-}
-
-/// The derivative with respect to u.
-template <class Real>
-Real change_at(const Cubic<Real>& cubic, Real u) {
-  const Real v = constant<Real>(1) - u;
-  const Real first = cubic.at[1] - cubic.at[0];
-  const Real middle = cubic.at[2] - cubic.at[1];
-  const Real last = cubic.at[3] - cubic.at[2];
-  const Real two = constant<Real>(2);
-  return constant<Real>(3) * (v * (v * first + two * (u * middle)) + u * (u * last));
-}
-
-template <class Real>
-void bisect(const Cubic<Real>& cubic, Cubic<Real>& lower, Cubic<Real>& upper) {
-  const Real half = constant<Real>(0.5);
-  const Real first = half * (cubic.at[0] + cubic.at[1]);
-  const Real middle = half * (cubic.at[1] + cubic.at[2]);
-  const Real last = half * (cubic.at[2] + cubic.at[3]);
-  const Real low = half * (first + middle);
-  const Real high = half * (middle + last);
-  const Real joint = half * (low + high);
-  lower = {{cubic.at[0], first, low, joint}};
-  upper = {{joint, high, last, cubic.at[3]}};
 }
 
 /// The equation of degree 6 in u, by its cubic factors: way^2 - inner outer, all times slope^2, so
@@ -256,78 +199,6 @@ int intersect_section(const AxialRay<Real>& ray, const Real* points, std::uint8_
     hits[i] = {ray.distance(place_at(ray, curve, points, roots.at[i])), face};
   }
   return roots.count;
-}
-
-/// The product of a cubic and its derivative.
-template <class Real>
-Polynomial<Real> times_derivative(const Cubic<Real>& cubic) {
-  const ControlPolygon<Real> polygon = polygon_of(cubic);
-  return product(firmware::polynomial_of(polygon), firmware::polynomial_of(derivative(polygon)));
-}
-
-/// The parameter of the point of the section nearest to (r, z): a root of the derivative of the
-/// squared distance, of degree 5, or an end.
-template <class Real>
-Real nearest_parameter(const Real* points, Real r, Real z) {
-  Cubic<Real> apart_r = coordinate(points);
-  Cubic<Real> apart_z = coordinate(points + 1);
-  for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
-    apart_r.at[i] -= r;
-    apart_z.at[i] -= z;
-  }
-  Polynomial<Real> change = times_derivative(apart_r);
-  const Polynomial<Real> of_height = times_derivative(apart_z);
-  for (int i = 0; i <= change.degree; ++i) {
-    charge<Real>(Operation::loop);
-    change.terms[i] += of_height.terms[i];
-  }
-  const auto distance_squared = [&](Real u) {
-    const Real dr = value_at(apart_r, u);
-    const Real dz = value_at(apart_z, u);
-    return dr * dr + dz * dz;
-  };
-  const RealRoots<Real> roots = roots_of(change);
-  Real best = constant<Real>(0);
-  Real least = distance_squared(best);
-  for (int i = 0; i <= roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
-    const Real u = i < roots.count ? roots.at[i] : constant<Real>(1);
-    const Real distance = distance_squared(u);
-    if (distance < least) {
-      least = distance;
-      best = u;
-    }
-  }
-  return best;
-}
-
-/// The generatrix at a parameter.
-template <class Real>
-struct CurvePoint {
-  Real r;
-  Real z;
-  Real change_r;  ///< direction of the curve there; not zero unless the section is a point
-  Real change_z;
-};
-
-template <class Real>
-CurvePoint<Real> curve_point(const Real* points, Real u) {
-  const Cubic<Real> radius = coordinate(points);
-  const Cubic<Real> height = coordinate(points + 1);
-  CurvePoint<Real> point;
-  point.r = value_at(radius, u);
-  point.z = value_at(height, u);
-  point.change_r = change_at(radius, u);
-  point.change_z = change_at(height, u);
-  charge<Real>(Operation::branch);
-  if (sign_of(point.change_r) == 0 && sign_of(point.change_z) == 0) {
-    // A cusp, or control points that fall together: the chord serves.
-    point.change_r = points[6] - points[0];
-    point.change_z = points[7] - points[1];
-  }
-  return point;
 }
 
 }  // namespace maquette::firmware::revolution

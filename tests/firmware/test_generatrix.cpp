@@ -52,8 +52,8 @@ TEST_CASE("The Bezier sections are the B-spline") {
       const double u = random.uniform();
       const CurvePoint<double> point = curve_point(curve.section(section), u);
       const auto number = static_cast<std::size_t>(section);
-      REQUIRE(point.r == Approx(spline_value(control, number, 0, u)));
-      REQUIRE(point.z == Approx(spline_value(control, number, 1, u)));
+      REQUIRE(point.x == Approx(spline_value(control, number, 0, u)));
+      REQUIRE(point.y == Approx(spline_value(control, number, 1, u)));
     }
     if (!is_open) {
       REQUIRE(curve.points[0] == curve.section(curve.sections)[0]);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "firmware/generatrix.hpp"
+#include "firmware/spline.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -59,10 +59,10 @@ GeneratrixCurve generatrix_curve(const RevolutionShape& shape) {
     control.insert(control.end(), {point.x, point.y});
   }
   const auto count = static_cast<int>(shape.points.size());
-  const int sections = firmware::revolution::section_count(count, !shape.closed);
-  std::vector<double> bezier(static_cast<std::size_t>(
-      sections * firmware::revolution::k_section_stride + firmware::revolution::k_point_reals));
-  firmware::revolution::write_bezier_points(control.data(), count, sections, bezier.data());
+  const int sections = firmware::section_count(count, !shape.closed);
+  std::vector<double> bezier(
+      static_cast<std::size_t>(sections * firmware::k_section_stride + firmware::k_point_reals));
+  firmware::write_bezier_points(control.data(), count, sections, bezier.data());
   GeneratrixCurve curve;
   curve.closed = shape.closed;
   for (std::size_t i = 0; i < bezier.size(); i += 2) {

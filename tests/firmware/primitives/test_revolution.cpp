@@ -33,7 +33,7 @@ void add_chords(Solid& solid) {
   for (int i = 0; i < curve.sections * k_chords; ++i) {
     const double u = static_cast<double>(i % k_chords) / k_chords;
     const CurvePoint<double> point = curve_point(curve.section(i / k_chords), u);
-    solid.chain.emplace_back(point.r, point.z, 0);
+    solid.chain.emplace_back(point.x, point.y, 0);
   }
   if (curve.is_open) {
     const double* end = curve.section(curve.sections);
