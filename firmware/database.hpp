@@ -24,9 +24,11 @@ enum class PrimitiveKind : std::uint8_t {
   cylinder,
   cone,
   revolution,
-  terrain
+  terrain,
+  algebraic,
+  prism
 };
-inline constexpr int k_primitive_kind_count = 7;
+inline constexpr int k_primitive_kind_count = 9;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 

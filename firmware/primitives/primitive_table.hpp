@@ -1,9 +1,11 @@
 #pragma once
 
+#include "firmware/primitives/algebraic.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/cone.hpp"
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/half_space.hpp"
+#include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/sphere.hpp"
 #include "firmware/primitives/terrain.hpp"
@@ -27,6 +29,10 @@ inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
      revolution::bounds<Real>, revolution::hit_limit<Real>, false},
     {terrain::intersect<Real>, terrain::settle<Real>, terrain::normal<Real>, terrain::bounds<Real>,
      terrain::hit_limit<Real>, false},
+    {algebraic::intersect<Real>, algebraic::settle<Real>, algebraic::normal<Real>,
+     algebraic::bounds<Real>, algebraic::hit_limit<Real>, false},
+    {prism::intersect<Real>, prism::settle<Real>, prism::normal<Real>, prism::bounds<Real>,
+     prism::hit_limit<Real>, false},
 };
 
 template <class Real>

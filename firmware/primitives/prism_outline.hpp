@@ -18,6 +18,7 @@ inline constexpr std::ptrdiff_t k_cubic_reals = 4 * k_point_reals;
 
 /// Crossings of a line with an outline, of which a straight edge gives one and a cubic one three.
 inline constexpr int k_crossing_limit = 254;
+inline constexpr int k_tree_height = 8;  ///< of the binary tree over so many edges
 
 constexpr int crossing_count(int lines, int cubics) { return lines + 3 * cubics; }
 

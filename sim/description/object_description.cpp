@@ -22,19 +22,22 @@ struct KindName {
   ObjectKind kind;
 };
 
-constexpr std::array<KindName, 10> k_kinds = {{{"half_space", ObjectKind::half_space},
+constexpr std::array<KindName, 12> k_kinds = {{{"half_space", ObjectKind::half_space},
                                                {"box", ObjectKind::box},
                                                {"sphere", ObjectKind::sphere},
                                                {"cylinder", ObjectKind::cylinder},
                                                {"cone", ObjectKind::cone},
                                                {"revolution", ObjectKind::revolution},
                                                {"terrain", ObjectKind::terrain},
+                                               {"algebraic", ObjectKind::algebraic},
+                                               {"prism", ObjectKind::prism},
                                                {"union", ObjectKind::union_of},
                                                {"intersection", ObjectKind::intersection},
                                                {"difference", ObjectKind::difference}}};
 
 constexpr std::string_view k_kind_list =
-    "half_space, box, sphere, cylinder, cone, revolution, terrain, union, intersection, difference";
+    "half_space, box, sphere, cylinder, cone, revolution, terrain, algebraic, prism, union, "
+    "intersection, difference";
 
 bool is_operator(ObjectKind kind) {
   return kind == ObjectKind::union_of || kind == ObjectKind::intersection ||
@@ -119,6 +122,10 @@ void read_primitive(const YamlEntry& entry, Object& object) {
     check_revolution(*revolution, entry.value);
   } else if (const auto* terrain = std::get_if<TerrainShape>(&object.shape)) {
     check_terrain(*terrain, entry.value);
+  } else if (const auto* algebraic = std::get_if<AlgebraicShape>(&object.shape)) {
+    check_algebraic(*algebraic, entry.value);
+  } else if (const auto* prism = std::get_if<PrismShape>(&object.shape)) {
+    check_prism(*prism, entry.value);
   }
 }
 

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/description/shapes/algebraic_shape.hpp"
+#include "sim/description/shapes/prism_shape.hpp"
 #include "sim/description/shapes/revolution_shape.hpp"
 #include "sim/description/shapes/terrain_shape.hpp"
 #include "sim/description/source_position.hpp"
@@ -67,13 +69,16 @@ enum class ObjectKind {
   cone,
   revolution,
   terrain,
+  algebraic,
+  prism,
   union_of,
   intersection,
   difference
 };
 
 /// What some primitives need besides sizes; the alternative goes with the kind of the object.
-using Shape = std::variant<std::monostate, RevolutionShape, TerrainShape>;
+using Shape =
+    std::variant<std::monostate, RevolutionShape, TerrainShape, AlgebraicShape, PrismShape>;
 
 /// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
 /// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.

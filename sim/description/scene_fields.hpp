@@ -4,6 +4,8 @@
 
 #include "sim/description/declaration.hpp"
 #include "sim/description/scene.hpp"
+#include "sim/description/shapes/algebraic_fields.hpp"
+#include "sim/description/shapes/prism_fields.hpp"
 #include "sim/description/shapes/revolution_fields.hpp"
 #include "sim/description/shapes/terrain_fields.hpp"
 #include "sim/description/value_types.hpp"
@@ -159,6 +161,12 @@ void declare_primitive(Visitor& visitor, Object& object) {
       break;
     case ObjectKind::terrain:
       declare_terrain(visitor, shape_of<TerrainShape>(object));
+      break;
+    case ObjectKind::algebraic:
+      declare_algebraic(visitor, shape_of<AlgebraicShape>(object));
+      break;
+    case ObjectKind::prism:
+      declare_prism(visitor, shape_of<PrismShape>(object));
       break;
     default:
       break;

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "board_functions.hpp"
+#include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/terrain.hpp"
 
@@ -27,7 +28,14 @@ bool needs_primitive(const Needs& needs) {
   return needs.primitives[static_cast<int>(kind)];
 }
 
-bool needs_roots(const Needs& needs) { return needs_primitive<PrimitiveKind::revolution>(needs); }
+bool needs_plane_cubics(const Needs& needs) {
+  return needs_primitive<PrimitiveKind::revolution>(needs) ||
+         needs_primitive<PrimitiveKind::prism>(needs);
+}
+
+bool needs_roots(const Needs& needs) {
+  return needs_plane_cubics(needs) || needs_primitive<PrimitiveKind::algebraic>(needs);
+}
 
 bool needs_composites(const Needs& needs) {
   return needs.unions || needs.intersections || needs.differences;
@@ -43,6 +51,16 @@ constexpr OptionalCode k_optional_code[] = {
     {"cone::", needs_primitive<PrimitiveKind::cone>},
     {"revolution::", needs_primitive<PrimitiveKind::revolution>},
     {"terrain::", needs_primitive<PrimitiveKind::terrain>},
+    {"algebraic::", needs_primitive<PrimitiveKind::algebraic>},
+    {"prism::", needs_primitive<PrimitiveKind::prism>},
+    {"curve_point", needs_plane_cubics},
+    {"nearest_parameter", needs_plane_cubics},
+    {"value_at", needs_plane_cubics},
+    {"change_at", needs_plane_cubics},
+    {"polygon_of", needs_plane_cubics},
+    {"times_derivative", needs_plane_cubics},
+    {"sort", needs_plane_cubics},
+    {"bisect", needs_roots},
     {"real_roots::", needs_roots},
     {"laguerre::", needs_roots},
     {"bernstein::", needs_roots},
@@ -143,6 +161,23 @@ constexpr LeafChain k_leaf_chains[] = {
        {"terrain::follow_over", firmware::terrain::k_level_limit + 1},
        {"terrain::midpoints"},
        {"terrain::midpoint"}}}},
+    {needs_primitive<PrimitiveKind::algebraic>,
+     {{{"cross_spans"},
+       {"algebraic::intersect"},
+       {"roots_of"},
+       {"real_roots::isolate", k_isolation_depth},
+       {"real_roots::add_isolated"},
+       {"real_roots::add_between_ends"},
+       {"laguerre::refined"}}}},
+    {needs_primitive<PrimitiveKind::prism>,
+     {{{"cross_spans"},
+       {"prism::intersect"},
+       {"prism::cross_outline"},
+       {"prism::cross_node", firmware::prism::k_tree_height + 1},
+       {"real_roots::isolate", k_isolation_depth},
+       {"real_roots::add_isolated"},
+       {"real_roots::add_between_ends"},
+       {"laguerre::refined"}}}},
 };
 
 std::int64_t chain_bytes(const LeafChain& chain) {

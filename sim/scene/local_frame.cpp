@@ -2,6 +2,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "sim/scene/algebraic_frame.hpp"
+#include "sim/scene/prism_frame.hpp"
 #include "sim/scene/revolution_frame.hpp"
 #include "sim/scene/terrain_frame.hpp"
 
@@ -51,6 +53,10 @@ LocalFrame local_frame_of(const Object& primitive) {
       return revolution_frame(std::get<RevolutionShape>(primitive.shape));
     case ObjectKind::terrain:
       return terrain_frame(std::get<TerrainShape>(primitive.shape));
+    case ObjectKind::algebraic:
+      return algebraic_frame(std::get<AlgebraicShape>(primitive.shape));
+    case ObjectKind::prism:
+      return prism_frame(std::get<PrismShape>(primitive.shape));
     case ObjectKind::half_space:
     case ObjectKind::union_of:
     case ObjectKind::intersection:

@@ -60,6 +60,8 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"cone", needs.primitives[4]},
           {"revolution", needs.primitives[5]},
           {"terrain", needs.primitives[6]},
+          {"algebraic", needs.primitives[7]},
+          {"prism", needs.primitives[8]},
           {"several spans", needs.several_spans},
           {"union", needs.unions},
           {"intersection", needs.intersections},

@@ -82,6 +82,12 @@ object:
           place: {translate: [0, 0, -2.5]}
         - cone: {radius: 1, top_radius: 0.5, height: 0.3}
       surface: gold
+    - algebraic: {size: 2, terms: [[4, 0, 0, 1], [0, 4, 0, 1], [0, 0, 3, -1.5], [0, 0, 0, -0.5]]}
+      surface: red
+    - prism:
+        height: 0.5
+        contours: [polygon: [[0, 0], [1, 0], [0, 1]], spline: [[0.2, 0.2], [0.4, 0.2], [0.2, 0.4]]]
+      surface: red
     - intersection:
         - half_space: {}
         - sphere: {radii: [1, 2, 3]}

@@ -52,6 +52,29 @@ std::vector<Surface> all_surfaces() {
   return surfaces;
 }
 
+/// A torus.
+Object ring(const std::string& surface, const Vector3& at) {
+  Object object = primitive(ObjectKind::algebraic, surface, at);
+  AlgebraicShape shape;
+  shape.size = {1.9, 1.9, 0.6};
+  shape.terms = {{{4, 0, 0}, 1},   {{0, 4, 0}, 1},     {{0, 0, 4}, 1},    {{2, 2, 0}, 2},
+                 {{2, 0, 2}, 2},   {{0, 2, 2}, 2},     {{2, 0, 0}, -0.9}, {{0, 2, 0}, -0.9},
+                 {{0, 0, 2}, 0.7}, {{0, 0, 0}, 0.1225}};
+  object.shape = shape;
+  return object;
+}
+
+/// A triangle with a round hole.
+Object washer(const std::string& surface, const Vector3& at) {
+  Object object = primitive(ObjectKind::prism, surface, at);
+  PrismShape shape;
+  shape.height = 0.7;
+  shape.contours = {{{{-0.9, -0.6}, {0.9, -0.6}, {0, 0.9}}, false},
+                    {{{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}, true}};
+  object.shape = shape;
+  return object;
+}
+
 /// Every primitive, every operator, every kind of surface, on a ground.
 Scene lively_scene() {
   Scene scene;
@@ -81,6 +104,7 @@ Scene lively_scene() {
        composite(ObjectKind::intersection,
                  {primitive(ObjectKind::box, "plastic", {0, 0.1, 0.7}, {1.4, 1.4, 1.4}),
                   primitive(ObjectKind::sphere, "chalk", {0, 0.1, 0.7}, {0.9, 0.9, 0.9})}),
+       ring("silver", {-2.7, -2.2, 0.3}), washer("plastic", {4.7, -0.3, 0}),
        primitive(ObjectKind::sphere, "glass", {-0.9, -3.2, 0.8}, {0.7, 0.7, 0.7}),
        primitive(ObjectKind::box, "glass", {3.2, -2.4, 0.9}, {1.2, 0.8, 1.5})});
   return scene;
