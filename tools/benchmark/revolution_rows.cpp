@@ -26,7 +26,7 @@ std::vector<Real> vase_parameters() {
     const double height = -1.2 + 0.14 * i;
     control.insert(control.end(), {static_cast<Real>(k_radii[i]), static_cast<Real>(height)});
   }
-  const int sections = section_count(k_points, true);
+  const int sections = firmware::section_count(k_points, true);
   std::vector<Real> parameters(static_cast<std::size_t>(revolution::parameter_count(sections)));
   revolution::write_parameters(control.data(), k_points, true, parameters.data());
   return parameters;
