@@ -1,0 +1,433 @@
+#include "firmware/primitives/patches.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "firmware/extent.hpp"
+#include "firmware/primitives/box.hpp"
+#include "tests/firmware/patch_sets.hpp"
+
+namespace maquette::firmware::patches {
+namespace {
+
+using trial::ControlNet;
+using trial::ControlNets;
+using trial::Parameters;
+using trial::Random;
+
+constexpr SearchMethod::Value k_methods[] = {SearchMethod::subdivision, SearchMethod::roots};
+
+template <class Real>
+struct Hits {
+  Hit<Real> hits[k_hit_limit];
+  int count;
+};
+
+template <class Real>
+Hits<Real> hits_on(const Parameters<Real>& parameters, const Ray<double>& ray) {
+  Hits<Real> found;
+  found.count = intersect<Real>({Vector<Real>(ray.origin), Vector<Real>(ray.direction)},
+                                parameters.data(), found.hits);
+  return found;
+}
+
+/// Towards a point, from nearby or far off, often parallel to an axis or to a plane of two.
+Ray<double> ray_towards(Random& random, const Vector<double>& target, double far) {
+  Vector<double> direction = random.direction();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (random.below(8) == 0) {
+      direction[axis] = random.coin() ? 0 : random.magnitude(1e-12, 1e-1);
+    }
+  }
+  direction = glm::normalize(direction + Vector<double>(0, 0, 1e-30));
+  return {target - direction * random.uniform(0, far), direction * random.magnitude(0.3, 3)};
+}
+
+/// A closed set of any kind.
+ControlNets random_solid(Random& random) {
+  switch (random.below(4)) {
+    case 0:
+      return trial::random_blob(random, 0.7);
+    case 1:
+      return trial::random_ring(random, 3 + random.below(3), 3 + random.below(3));
+    case 2:
+      return trial::egg();
+    default:
+      return trial::flat_cube(0.5);
+  }
+}
+
+/// A point of the set: on an edge, in a corner or anywhere.
+Vector<double> random_point(Random& random, const ControlNets& nets) {
+  const auto& net = nets[static_cast<std::size_t>(random.below(static_cast<int>(nets.size())))];
+  const auto place = [&] {
+    const int kind = random.below(6);
+    return kind < 2 ? kind : kind == 2 ? random.below(9) / 8.0 : random.uniform();
+  };
+  const double u = place();
+  return trial::point_of(net, u, place());
+}
+
+TEMPLATE_TEST_CASE("Every ray enters and leaves a closed set in turn, also through its joints", "",
+                   float, double) {
+  Random random(2201);
+  for (int i = 0; i < 40; ++i) {
+    const ControlNets nets = random_solid(random);
+    for (const SearchMethod::Value method : k_methods) {
+      const auto parameters = trial::parameters_of<TestType>(nets, true, method);
+      for (int k = 0; k < 600; ++k) {
+        const bool is_far = random.below(4) == 0;
+        const Ray<double> ray =
+            ray_towards(random, random_point(random, nets), is_far ? random.magnitude(1, 1e8) : 4);
+        const PlanePair<TestType> planes =
+            planes_of<TestType>({Vector<TestType>(ray.origin), Vector<TestType>(ray.direction)});
+        Hits<TestType> found;
+        HitList<TestType> list{found.hits, 0};
+        const PatchSet<TestType> set = patch_set(parameters.data());
+        intersect_node(planes, set, 0, 0, set.patches, list);
+        CAPTURE(i, k, static_cast<int>(method), is_far, set.patches);
+        REQUIRE(list.count % 2 == 0);
+        sort(found.hits, list.count);
+        int balance = 0;
+        for (int n = 0; n < list.count; ++n) {
+          balance += found.hits[n].face >= k_from_behind ? -1 : 1;
+        }
+        REQUIRE(balance == 0);
+      }
+    }
+  }
+}
+
+/// A patch in a plane whose points lie where those of a bilinear one would.
+ControlNet parallelogram(const Vector<double>& corner, const Vector<double>& u,
+                         const Vector<double>& v) {
+  return trial::net_of([&](int i, int k) { return corner + u * (i / 3.0) + v * (k / 3.0); });
+}
+
+TEMPLATE_TEST_CASE("A flat patch is met where its plane is", "", float, double) {
+  using Real = TestType;
+  Random random(2202);
+  const double rounding = static_cast<double>(spacings<Real>(1));
+  int met = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const Vector<double> corner = random.in_cube(0.3);
+    const Vector<double> along_u = random.in_cube(0.4);
+    const Vector<double> along_v = random.in_cube(0.4);
+    const Ray<double> ray = ray_towards(
+        random, corner + along_u * random.uniform(-1, 2) + along_v * random.uniform(-1, 2), 4);
+    const double volume = glm::dot(ray.direction, glm::cross(along_u, along_v));
+    const double flatness = std::fabs(volume) / glm::length(ray.direction);
+    if (flatness < 1e-3) {
+      continue;
+    }
+    const Vector<double> apart = ray.origin - corner;
+    const double u = glm::dot(ray.direction, glm::cross(apart, along_v)) / volume;
+    const double v = glm::dot(ray.direction, glm::cross(along_u, apart)) / volume;
+    const double distance = -glm::dot(apart, glm::cross(along_u, along_v)) / volume;
+    const double margin = 100 * rounding / flatness;
+    const double inside = std::fmin(std::fmin(u, 1 - u), std::fmin(v, 1 - v));
+    const auto parameters = trial::parameters_of<Real>({parallelogram(corner, along_u, along_v)},
+                                                       false, k_methods[i % 2]);
+    const Hits<Real> found = hits_on(parameters, ray);
+    CAPTURE(i, u, v, flatness);
+    if (inside < -margin) {
+      REQUIRE(found.count == 0);
+    } else if (inside > margin) {
+      ++met;
+      REQUIRE(found.count == 2);
+      const double apart_on_ray = static_cast<double>(found.hits[0].distance) - distance;
+      REQUIRE(std::fabs(apart_on_ray) * glm::length(ray.direction) < margin);
+      REQUIRE(found.hits[1].distance == found.hits[0].distance);
+      REQUIRE((found.hits[0].face >= k_from_behind) == (volume > 0));
+    }
+  }
+  CHECK(met > 300);
+}
+
+/// z = a x^2 + b y^2 + c for x and y in [-0.9, 0.9].
+ControlNet paraboloid(double a, double b, double c) {
+  const double at[4] = {-0.9, -0.3, 0.3, 0.9};
+  const double squared[4] = {0.81, -0.27, -0.27, 0.81};
+  return trial::net_of([&](int i, int k) {
+    return Vector<double>(at[i], at[k], a * squared[i] + b * squared[k] + c);
+  });
+}
+
+TEMPLATE_TEST_CASE("A quadric graph is met where its equation says", "", float, double) {
+  using Real = TestType;
+  Random random(2203);
+  const double rounding = static_cast<double>(spacings<Real>(1));
+  int met = 0;
+  for (int i = 0; i < 8000; ++i) {
+    const double a = random.uniform(-0.5, 0.5);
+    const double b = random.uniform(-0.5, 0.5);
+    const double c = random.uniform(-0.1, 0.1);
+    const Ray<double> ray = ray_towards(random, random.in_cube(0.5), 3);
+    const Vector<double>& o = ray.origin;
+    const Vector<double> d = glm::normalize(ray.direction);
+    const double square = a * d.x * d.x + b * d.y * d.y;
+    const double half = a * o.x * d.x + b * o.y * d.y - d.z / 2;
+    const double rest = a * o.x * o.x + b * o.y * o.y + c - o.z;
+    const double discriminant = half * half - square * rest;
+    if (std::fabs(square) < 1e-3 || std::fabs(discriminant) < 1e-4) {
+      continue;
+    }
+    const double tolerance = 1000 * rounding / std::sqrt(std::fabs(discriminant));
+    std::vector<double> expected;
+    bool is_clear = true;
+    for (int sign = -1; sign <= 1 && discriminant > 0; sign += 2) {
+      const double t = (-half + sign * std::sqrt(discriminant)) / square;
+      const double inside = 0.9 - std::fmax(std::fabs(o.x + t * d.x), std::fabs(o.y + t * d.y));
+      is_clear = is_clear && std::fabs(inside) > tolerance;
+      if (inside > 0) {
+        expected.push_back(t);
+      }
+    }
+    if (!is_clear) {
+      continue;
+    }
+    std::sort(expected.begin(), expected.end());
+    const auto parameters =
+        trial::parameters_of<Real>({paraboloid(a, b, c)}, false, k_methods[i % 2]);
+    const Hits<Real> found = hits_on<Real>(parameters, {o, d});
+    CAPTURE(i, discriminant, square);
+    REQUIRE(found.count == 2 * static_cast<int>(expected.size()));
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      ++met;
+      REQUIRE(std::fabs(static_cast<double>(found.hits[2 * k].distance) - expected[k]) < tolerance);
+    }
+  }
+  CHECK(met > 2000);
+}
+
+/// Whether two rays' hits are the same ones, as far as rounding can tell.
+template <class A, class B>
+bool agree(const Hits<A>& a, const Hits<B>& b, double tolerance) {
+  bool same = a.count == b.count;
+  for (int i = 0; same && i < a.count; ++i) {
+    same = std::fabs(static_cast<double>(a.hits[i].distance) -
+                     static_cast<double>(b.hits[i].distance)) < tolerance &&
+           a.hits[i].face == b.hits[i].face;
+  }
+  return same;
+}
+
+TEST_CASE("Both methods and both number types find the same hits") {
+  Random random(2204);
+  int of_methods = 0;
+  int of_types = 0;
+  int hits = 0;
+  constexpr int k_rays = 10000;
+  for (int i = 0; i < k_rays / 10; ++i) {
+    ControlNets nets;
+    for (int n = 1 + random.below(4); n > 0; --n) {
+      nets.push_back(trial::random_net(random));
+    }
+    const auto halved = trial::parameters_of<double>(nets, false, SearchMethod::subdivision);
+    const auto solved = trial::parameters_of<double>(nets, false, SearchMethod::roots);
+    const auto in_float = trial::parameters_of<float>(nets, false, k_methods[i % 2]);
+    for (int k = 0; k < 10; ++k) {
+      const Ray<double> ray = ray_towards(random, random.in_cube(0.5), 4);
+      const double length = glm::length(ray.direction);
+      const Hits<double> found = hits_on(halved, ray);
+      hits += found.count;
+      of_methods += agree(found, hits_on(solved, ray), 1e-9 / length) ? 0 : 1;
+      of_types += agree(found, hits_on(in_float, ray), 3e-3 / length) ? 0 : 1;
+    }
+  }
+  CHECK(hits > k_rays);
+  CHECK(of_methods == 0);
+  CHECK(of_types <= k_rays / 1000);  // rays along a fold or an edge of a patch
+}
+
+/// Chords of parallel rays, and of rays of all directions, through a closed set.
+template <class Real>
+trial::Measures measures_by_rays(const Parameters<Real>& parameters, Random& random) {
+  constexpr int k_rays = 40000;
+  constexpr double k_radius = 1.5;
+  trial::Measures sum{0, 0};
+  for (int i = 0; i < k_rays; ++i) {
+    const Vector<double> direction = random.direction();
+    const Vector<double> aside = random.direction_around(direction, 0);
+    // Stratified, so that the sums converge faster.
+    const double share = (i + random.uniform()) / k_rays;
+    const Ray<double> ray{aside * (k_radius * std::sqrt(share)) - direction * 3.0, direction};
+    const Hits<Real> found = hits_on(parameters, ray);
+    sum.area += found.count;
+    for (int k = 0; k < found.count; ++k) {
+      sum.volume += static_cast<double>(found.hits[k].distance) * (k % 2 == 0 ? -1 : 1);
+    }
+  }
+  const double disc = std::acos(-1.0) * k_radius * k_radius / k_rays;
+  return {sum.volume * disc, sum.area * disc * 2};
+}
+
+TEMPLATE_TEST_CASE("Chords in all directions give volume and area of a closed set", "", float,
+                   double) {
+  // Crofton: the mean over all directions of the area that chords cover is a quarter of the
+  // surface.
+  Random random(2205);
+  for (int i = 0; i < 6; ++i) {
+    const ControlNets nets = i < 2   ? trial::random_blob(random, 0.3)
+                             : i < 4 ? trial::random_ring(random, 4, 4)
+                                     : trial::egg();
+    const trial::Measures exact = trial::measures_of(nets);
+    const trial::Measures measured =
+        measures_by_rays(trial::parameters_of<TestType>(nets, true, k_methods[i % 2]), random);
+    CAPTURE(i);
+    CHECK(measured.volume == Approx(exact.volume).epsilon(0.03));
+    CHECK(measured.area == Approx(exact.area).epsilon(0.03));
+  }
+}
+
+TEMPLATE_TEST_CASE("A cube of flat patches is the box, also along its faces", "", float, double) {
+  using Real = TestType;
+  Random random(2206);
+  const double tolerance = static_cast<double>(spacings<Real>(100));
+  for (const SearchMethod::Value method : k_methods) {
+    const auto parameters = trial::parameters_of<Real>(trial::flat_cube(0.75), true, method);
+    for (int i = 0; i < 4000; ++i) {
+      Ray<double> ray = ray_towards(random, random.in_cube(0.75), 4);
+      const int axis = random.below(3);
+      const bool is_along = random.below(4) == 0;
+      if (is_along) {
+        ray.origin[axis] = random.coin() ? 0.75 : -0.75;
+        ray.direction[axis] = 0;
+      }
+      const Hits<Real> found = hits_on(parameters, ray);
+      REQUIRE(found.count % 2 == 0);
+      Hit<double> expected[2];
+      const Ray<double> scaled{ray.origin / 0.75, ray.direction / 0.75};
+      const int count = box::intersect<double>(scaled, nullptr, expected);
+      if (is_along || count == 0 || expected[1].distance - expected[0].distance < 1e-3) {
+        continue;
+      }
+      REQUIRE(found.count == 2);
+      for (int k = 0; k < 2; ++k) {
+        const double apart = static_cast<double>(found.hits[k].distance) - expected[k].distance;
+        REQUIRE(std::fabs(apart) * glm::length(ray.direction) < tolerance);
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Grazing rays meet a convex set twice or never", "", float, double) {
+  using Real = TestType;
+  Random random(2207);
+  const ControlNets nets = trial::egg();
+  for (const SearchMethod::Value method : k_methods) {
+    const auto parameters = trial::parameters_of<Real>(nets, true, method);
+    for (int i = 0; i < 3000; ++i) {
+      const Vector<double> on = random_point(random, nets);
+      const Vector<double> normal =
+          glm::normalize(Vector<double>(on.x / 0.49, on.y / 0.49, on.z / (on.z < 0 ? 0.36 : 0.81)));
+      const Vector<double> direction = random.direction_around(normal, 0);
+      const double offset = random.magnitude(1e-9, 1e-1) * (random.coin() ? 1 : -1);
+      const Hits<Real> found =
+          hits_on<Real>(parameters, {on + normal * offset - direction * 2.0, direction});
+      CAPTURE(i, offset);
+      REQUIRE((found.count == 0 || found.count == 2));
+      if (offset > 1e-2) {
+        REQUIRE(found.count == 0);
+      }
+      if (offset < -1e-2) {
+        REQUIRE(found.count == 2);
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Settled points lie on the patch, within the bounds, with normals to the ray",
+                   "", float, double) {
+  using Real = TestType;
+  Random random(2208);
+  const double rounding = static_cast<double>(spacings<Real>(1));
+  int checked = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool is_solid = random.coin();
+    ControlNets nets = is_solid ? random_solid(random) : ControlNets{trial::random_net(random)};
+    const auto parameters = trial::parameters_of<Real>(nets, is_solid, k_methods[i % 2]);
+    Box<Real> box{};
+    REQUIRE(bounds(parameters.data(), box));
+    for (int k = 0; k < 40; ++k) {
+      const Ray<double> ray = ray_towards(random, random.in_cube(0.6), 4);
+      const Hits<Real> found = hits_on(parameters, ray);
+      for (int n = 0; n < found.count; ++n) {
+        const Hit<Real>& hit = found.hits[n];
+        const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
+        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters.data());
+        CAPTURE(i, k, n, static_cast<int>(hit.face));
+        const Vector<double> way = glm::normalize(ray.direction);
+        const Vector<double> outward(normal(settled, hit.face, parameters.data()));
+        REQUIRE(glm::length(outward) == Approx(1).epsilon(1e-4));
+        const double slope = glm::dot(outward, way);
+        // Rounding along the ray moves off a surface that is grazed less.
+        REQUIRE(glm::length(Vector<double>(settled) - p) < 300 * rounding);
+        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
+                spacings<Real>(4));
+        if (std::fabs(slope) > 0.01) {
+          ++checked;
+          const bool is_front = is_solid ? n % 2 == 0 : true;
+          REQUIRE((slope < 0) == is_front);
+        }
+      }
+    }
+  }
+  CHECK(checked > 1000);
+}
+
+TEMPLATE_TEST_CASE("A ray that leaves a convex set does not meet it again", "", float, double) {
+  using Real = TestType;
+  Random random(2209);
+  const ControlNets nets = trial::egg();
+  for (const SearchMethod::Value method : k_methods) {
+    const auto parameters = trial::parameters_of<Real>(nets, true, method);
+    for (int i = 0; i < 6000; ++i) {
+      const Vector<double> target =
+          random.below(4) == 0 ? random_point(random, nets) : random.in_cube(0.4);
+      const Ray<double> ray{target - random.direction() * 2.0, {}};
+      const Vector<double> direction = glm::normalize(target - ray.origin);
+      const Hits<Real> found = hits_on<Real>(parameters, {ray.origin, direction});
+      if (found.count == 0) {
+        continue;
+      }
+      const Hit<Real>& hit = found.hits[0];
+      const Vector<Real> p = Vector<Real>(ray.origin) + Vector<Real>(direction) * hit.distance;
+      const Vector<Real> settled = settle(p, hit.face, parameters.data());
+      const Vector<Real> outward = normal(settled, hit.face, parameters.data());
+      const Vector<Real> start = settled + outward * spacings<Real>(16);
+      const Vector<double> away = random.direction_around(glm::normalize(Vector<double>(outward)),
+                                                          random.magnitude(1e-6, 1));
+      const Hits<Real> again = hits_on<Real>(parameters, {Vector<double>(start), away});
+      for (int k = 0; k < again.count; ++k) {
+        CAPTURE(i, k, static_cast<double>(again.hits[k].distance));
+        REQUIRE(again.hits[k].distance <= Real(0));
+      }
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("Normals exist where an edge is collapsed to a point", "", float, double) {
+  using Real = TestType;
+  const auto parameters = trial::parameters_of<Real>(trial::egg(), true, SearchMethod::subdivision);
+  Random random(2210);
+  for (int end = -1; end <= 1; end += 2) {
+    const double height = end < 0 ? 0.6 : 0.9;
+    for (int i = 0; i < 200; ++i) {
+      const double size = i == 0 ? 0 : random.magnitude(1e-12, 1e-3);
+      const Vector<double> top(size * random.uniform(-1, 1), size * random.uniform(-1, 1),
+                               end * height);
+      const Hits<Real> found =
+          hits_on<Real>(parameters, {{top.x, top.y, end * 2.0}, {0, 0, -1.0 * end}});
+      REQUIRE(found.count == 2);
+      const Vector<Real> outward = normal(Vector<Real>(top), found.hits[0].face, parameters.data());
+      CAPTURE(i, size, outward.x, outward.y);
+      REQUIRE(static_cast<double>(outward.z) * end > 0.999);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace maquette::firmware::patches
