@@ -26,9 +26,10 @@ enum class PrimitiveKind : std::uint8_t {
   revolution,
   terrain,
   algebraic,
-  prism
+  prism,
+  patches
 };
-inline constexpr int k_primitive_kind_count = 9;
+inline constexpr int k_primitive_kind_count = 10;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 

@@ -7,9 +7,10 @@
 /// most, by one of the two ways that the paper names.
 namespace maquette::firmware::patches {
 
-/// Bisections of a patch, along u and v together.
+/// Bisections of a patch, along u and v together: roots that are then still not apart lie deeper in
+/// a fold than rounding lets anything be told.
 template <class Real>
-inline constexpr int k_cell_bisection_limit = 2 * std::numeric_limits<Real>::digits;
+inline constexpr int k_cell_bisection_limit = std::numeric_limits<Real>::digits + 8;
 
 /// Steps of Newton's method before the cell is bisected instead.
 inline constexpr int k_newton_limit = 12;
@@ -73,7 +74,8 @@ bool approach(const Image<Real>& image, Root<Real>& root) {
 }
 
 /// The root of a cell around which the boundary goes an odd number of times: by Newton's method,
-/// and where that fails in the half that has it. Bisects the cell in place.
+/// and where that fails in the half that has it. Bisects the cell in place. Apart, to spare the
+/// stack of `isolate`.
 template <class Real>
 Root<Real> root_of(Cell<Real>& cell) {
   Root<Real> root;
@@ -220,7 +222,8 @@ bool narrow(Cell<Real>& cell, const Side<Real>& along_u, const Side<Real>& along
   return true;
 }
 
-/// Adds the roots in a cell, which is bisected in place.
+/// Looks at a cell and narrows it. Returns whether it is to be halved; otherwise its root, if there
+/// is one, is added. Apart, so that `isolate` keeps no more than a cell on the stack.
 ///
 /// Method `subdivision`: a part whose control points are all on one side of the ray is left out,
 /// the others are halved (Whitted 1980), until the ray meets each part once at most.
@@ -232,13 +235,13 @@ bool narrow(Cell<Real>& cell, const Side<Real>& along_u, const Side<Real>& along
 /// (Sherbrooke and Patrikalakis 1993): each polynomial is first combined with the other to depend
 /// on one unknown as far as possible.
 template <class Real>
-void isolate(Cell<Real>& cell, SearchMethod::Value method, RootList<Real>& roots) {
-  charge<Real>(Operation::call);
+[[gnu::noinline]] bool is_undecided(Cell<Real>& cell, SearchMethod::Value method,
+                                    RootList<Real>& roots) {
   for (;;) {
     charge<Real>(Operation::loop);
     charge<Real>(Operation::branch, 4);
     if (is_passed(cell.image)) {
-      return;
+      return false;
     }
     const Side<Real> along_u = course(cell.image, 4);
     const Side<Real> along_v = course(cell.image, 1);
@@ -250,18 +253,25 @@ void isolate(Cell<Real>& cell, SearchMethod::Value method, RootList<Real>& roots
         root.winding = winding;
         add(roots, root);
       }
-      return;
-    }
-    if (method == SearchMethod::subdivision) {
-      break;
+      return false;
     }
     const int bisections = cell.bisections();
-    if (!narrow(cell, along_u, along_v)) {
-      return;
+    if (method == SearchMethod::roots && !narrow(cell, along_u, along_v)) {
+      return false;
     }
     if (cell.bisections() == bisections) {
-      break;
+      return true;
     }
+  }
+}
+
+/// Adds the roots in a cell, which is bisected in place.
+template <class Real>
+void isolate(Cell<Real>& cell, SearchMethod::Value method, RootList<Real>& roots) {
+  charge<Real>(Operation::call, 2);
+  charge<Real>(Operation::branch);
+  if (!is_undecided(cell, method, roots)) {
+    return;
   }
   Cell<Real> lower;
   bisect(cell, lower, is_longer_along_u(cell.image));

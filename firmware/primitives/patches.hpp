@@ -14,7 +14,9 @@
 namespace maquette::firmware::patches {
 
 inline constexpr int k_patch_limit = 128;
-inline constexpr int k_hit_limit = 256;
+inline constexpr int k_tree_height = 7;  ///< of the binary tree over so many patches
+inline constexpr int k_hit_limit = 128;
+static_assert(k_hit_limit <= k_primitive_hit_limit);
 inline constexpr std::uint8_t k_from_behind = 0x80;
 inline constexpr std::ptrdiff_t k_header_reals = 3;
 inline constexpr std::ptrdiff_t k_box_reals = 6;

@@ -5,6 +5,7 @@
 #include "firmware/primitives/cone.hpp"
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/half_space.hpp"
+#include "firmware/primitives/patches.hpp"
 #include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/sphere.hpp"
@@ -33,6 +34,8 @@ inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
      algebraic::bounds<Real>, algebraic::hit_limit<Real>, false},
     {prism::intersect<Real>, prism::settle<Real>, prism::normal<Real>, prism::bounds<Real>,
      prism::hit_limit<Real>, false},
+    {patches::intersect<Real>, patches::settle<Real>, patches::normal<Real>, patches::bounds<Real>,
+     patches::hit_limit<Real>, false},
 };
 
 template <class Real>

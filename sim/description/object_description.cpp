@@ -22,7 +22,7 @@ struct KindName {
   ObjectKind kind;
 };
 
-constexpr std::array<KindName, 12> k_kinds = {{{"half_space", ObjectKind::half_space},
+constexpr std::array<KindName, 13> k_kinds = {{{"half_space", ObjectKind::half_space},
                                                {"box", ObjectKind::box},
                                                {"sphere", ObjectKind::sphere},
                                                {"cylinder", ObjectKind::cylinder},
@@ -31,12 +31,14 @@ constexpr std::array<KindName, 12> k_kinds = {{{"half_space", ObjectKind::half_s
                                                {"terrain", ObjectKind::terrain},
                                                {"algebraic", ObjectKind::algebraic},
                                                {"prism", ObjectKind::prism},
+                                               {"patches", ObjectKind::patches},
                                                {"union", ObjectKind::union_of},
                                                {"intersection", ObjectKind::intersection},
                                                {"difference", ObjectKind::difference}}};
 
 constexpr std::string_view k_kind_list =
-    "half_space, box, sphere, cylinder, cone, revolution, terrain, algebraic, prism, union, "
+    "half_space, box, sphere, cylinder, cone, revolution, terrain, algebraic, prism, patches, "
+    "union, "
     "intersection, difference";
 
 bool is_operator(ObjectKind kind) {
@@ -126,6 +128,8 @@ void read_primitive(const YamlEntry& entry, Object& object) {
     check_algebraic(*algebraic, entry.value);
   } else if (const auto* prism = std::get_if<PrismShape>(&object.shape)) {
     check_prism(*prism, entry.value);
+  } else if (const auto* patches = std::get_if<PatchesShape>(&object.shape)) {
+    check_patches(*patches, entry.value);
   }
 }
 

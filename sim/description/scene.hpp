@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/description/shapes/algebraic_shape.hpp"
+#include "sim/description/shapes/patches_shape.hpp"
 #include "sim/description/shapes/prism_shape.hpp"
 #include "sim/description/shapes/revolution_shape.hpp"
 #include "sim/description/shapes/terrain_shape.hpp"
@@ -71,14 +72,15 @@ enum class ObjectKind {
   terrain,
   algebraic,
   prism,
+  patches,
   union_of,
   intersection,
   difference
 };
 
 /// What some primitives need besides sizes; the alternative goes with the kind of the object.
-using Shape =
-    std::variant<std::monostate, RevolutionShape, TerrainShape, AlgebraicShape, PrismShape>;
+using Shape = std::variant<std::monostate, RevolutionShape, TerrainShape, AlgebraicShape,
+                           PrismShape, PatchesShape>;
 
 /// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
 /// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.

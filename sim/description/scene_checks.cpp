@@ -1,7 +1,7 @@
 #include "sim/description/scene_checks.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
-
 #include <string>
 #include <string_view>
 
@@ -15,7 +15,31 @@ namespace {
                          std::string{key} + ": " + message);
 }
 
+/// Looks below an object whose surface, where it names none, is that of the objects above it.
+void check_sheets_below(const Object& object, const std::string& surface_above,
+                        const std::vector<Surface>& surfaces) {
+  const std::string& name = object.surface.empty() ? surface_above : object.surface;
+  const auto* patches = std::get_if<PatchesShape>(&object.shape);
+  if (patches != nullptr && !patches->solid) {
+    const auto surface = std::find_if(surfaces.begin(), surfaces.end(),
+                                      [&](const Surface& s) { return s.name == name; });
+    if (surface != surfaces.end() && surface->transparent) {
+      throw DescriptionError(object.position_in_file,
+                             "patches: the surface `" + name +
+                                 "` is transparent, but patches without thickness hold no matter; "
+                                 "an opaque surface or `solid: true` is allowed");
+    }
+  }
+  for (const Object& son : object.sons) {
+    check_sheets_below(son, name, surfaces);
+  }
+}
+
 }  // namespace
+
+void check_sheets(const Scene& scene) {
+  check_sheets_below(scene.object, scene.object.surface, scene.surfaces);
+}
 
 void check_view(const View& view, const YamlNode& node) {
   if (view.eye == view.target) {

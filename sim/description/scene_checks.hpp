@@ -10,4 +10,7 @@ namespace maquette::sim {
 void check_view(const View& view, const YamlNode& node);
 void check_surface(const Surface& surface, const YamlNode& node);
 
+/// Patches without thickness need an opaque surface.
+void check_sheets(const Scene& scene);
+
 }  // namespace maquette::sim

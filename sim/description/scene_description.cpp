@@ -116,6 +116,7 @@ Scene read_scene(const YamlNode& root) {
   reader.allow("machine");
   reader.finish();
   check_view(scene.view, nearest_node(root, "view"));
+  check_sheets(scene);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 #include "sim/description/declaration.hpp"
 #include "sim/description/scene.hpp"
 #include "sim/description/shapes/algebraic_fields.hpp"
+#include "sim/description/shapes/patches_fields.hpp"
 #include "sim/description/shapes/prism_fields.hpp"
 #include "sim/description/shapes/revolution_fields.hpp"
 #include "sim/description/shapes/terrain_fields.hpp"
@@ -167,6 +168,9 @@ void declare_primitive(Visitor& visitor, Object& object) {
       break;
     case ObjectKind::prism:
       declare_prism(visitor, shape_of<PrismShape>(object));
+      break;
+    case ObjectKind::patches:
+      declare_patches(visitor, shape_of<PatchesShape>(object));
       break;
     default:
       break;

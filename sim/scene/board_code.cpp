@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "board_functions.hpp"
+#include "firmware/primitives/patches.hpp"
 #include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/terrain.hpp"
@@ -61,6 +62,7 @@ constexpr OptionalCode k_optional_code[] = {
     {"times_derivative", needs_plane_cubics},
     {"sort", needs_plane_cubics},
     {"bisect", needs_roots},
+    {"patches::", needs_primitive<PrimitiveKind::patches>},
     {"real_roots::", needs_roots},
     {"laguerre::", needs_roots},
     {"bernstein::", needs_roots},
@@ -133,7 +135,7 @@ struct Link {
 /// The deepest chain of calls below a leaf of certain primitives.
 struct LeafChain {
   bool (*is_needed)(const Needs& needs);
-  std::array<Link, 8> links;
+  std::array<Link, 10> links;
 };
 
 constexpr int k_isolation_depth = firmware::real_roots::k_bisection_limit<float> + 1;
@@ -178,6 +180,17 @@ constexpr LeafChain k_leaf_chains[] = {
        {"real_roots::add_isolated"},
        {"real_roots::add_between_ends"},
        {"laguerre::refined"}}}},
+    {needs_primitive<PrimitiveKind::patches>,
+     {{{"cross_spans"},
+       {"patches::intersect"},
+       {"patches::intersect_node", firmware::patches::k_tree_height + 1},
+       {"patches::intersect_patch"},
+       {"patches::find_roots"},
+       {"patches::isolate", firmware::patches::k_cell_bisection_limit<float> + 1},
+       {"patches::is_undecided"},
+       {"patches::winding_of"},
+       {"patches::edge_crossings"},
+       {"patches::crossings_of", firmware::patches::k_edge_bisection_limit<float> + 1}}}},
 };
 
 std::int64_t chain_bytes(const LeafChain& chain) {

@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "sim/scene/algebraic_frame.hpp"
+#include "sim/scene/patches_frame.hpp"
 #include "sim/scene/prism_frame.hpp"
 #include "sim/scene/revolution_frame.hpp"
 #include "sim/scene/terrain_frame.hpp"
@@ -57,6 +58,8 @@ LocalFrame local_frame_of(const Object& primitive) {
       return algebraic_frame(std::get<AlgebraicShape>(primitive.shape));
     case ObjectKind::prism:
       return prism_frame(std::get<PrismShape>(primitive.shape));
+    case ObjectKind::patches:
+      return patches_frame(std::get<PatchesShape>(primitive.shape));
     case ObjectKind::half_space:
     case ObjectKind::union_of:
     case ObjectKind::intersection:

@@ -62,6 +62,7 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"terrain", needs.primitives[6]},
           {"algebraic", needs.primitives[7]},
           {"prism", needs.primitives[8]},
+          {"patches", needs.primitives[9]},
           {"several spans", needs.several_spans},
           {"union", needs.unions},
           {"intersection", needs.intersections},

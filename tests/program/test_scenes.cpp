@@ -28,7 +28,7 @@ TEST_CASE("Every primitive and every operator has a scene of its own") {
   CHECK(scenes_in("primitives").size() == maquette::firmware::k_primitive_kind_count);
   CHECK(scenes_in("primitives") == std::set<std::string>{"half_space", "box", "sphere", "cylinder",
                                                          "cone", "revolution", "terrain",
-                                                         "algebraic", "prism"});
+                                                         "algebraic", "prism", "patches"});
   CHECK(scenes_in("operators") == std::set<std::string>{"union", "intersection", "difference"});
 }
 

@@ -24,7 +24,8 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"two_threads", maquette::benchmark::measure_two_threads},
                                           {"sweep", maquette::benchmark::measure_sweep},
                                           {"revolution", maquette::benchmark::measure_revolution},
-                                          {"vase", maquette::benchmark::measure_vase}};
+                                          {"vase", maquette::benchmark::measure_vase},
+                                          {"patches", maquette::benchmark::measure_patches}};
 
 std::vector<std::string> measurement_names() {
   std::vector<std::string> names;

@@ -1,9 +1,5 @@
-#include <algorithm>
-#include <chrono>
-#include <cstdint>
-#include <random>
-
 #include "firmware/generatrix.hpp"
+#include "tools/benchmark/ray_timing.hpp"
 #include "tools/benchmark/rows.hpp"
 
 /// Rays against a vase of 18 control points, as many as the generatrix of the paper's photo 3 has.
@@ -14,8 +10,6 @@ namespace {
 namespace revolution = firmware::revolution;
 
 constexpr int k_points = 18;
-constexpr int k_rays = 4096;
-constexpr int k_repetitions = 21;
 
 template <class Real>
 std::vector<Real> vase_parameters() {
@@ -30,40 +24,6 @@ std::vector<Real> vase_parameters() {
   std::vector<Real> parameters(static_cast<std::size_t>(revolution::parameter_count(sections)));
   revolution::write_parameters(control.data(), k_points, true, parameters.data());
   return parameters;
-}
-
-/// From points far off to points in the cube around the vase.
-template <class Real>
-std::vector<firmware::Ray<Real>> ordinary_rays() {
-  std::mt19937 engine(1984);
-  const auto uniform = [&] { return static_cast<double>(engine()) / 2147483648.0 - 1; };
-  const auto point = [&](double size) {
-    const double x = uniform() * size;
-    const double y = uniform() * size;
-    return firmware::Vector<Real>(firmware::Vector<double>(x, y, uniform() * size));
-  };
-  std::vector<firmware::Ray<Real>> rays;
-  for (int i = 0; i < k_rays; ++i) {
-    const firmware::Vector<Real> origin = point(5);
-    rays.push_back({origin, point(1) - origin});
-  }
-  return rays;
-}
-
-/// Least time of one call, over all rays, in ns. What the calls return is summed and looked at, so
-/// that none is left out.
-template <class Call>
-double least_ns(int calls_per_turn, Call call) {
-  using Clock = std::chrono::steady_clock;
-  double least = 1e18;
-  std::int64_t hits = 0;
-  for (int i = 0; i < k_repetitions; ++i) {
-    const Clock::time_point start = Clock::now();
-    hits += call();
-    const std::chrono::duration<double, std::nano> passed = Clock::now() - start;
-    least = std::min(least, passed.count() / calls_per_turn);
-  }
-  return hits > 0 ? least : 0;
 }
 
 template <class Real>

@@ -43,6 +43,9 @@ std::vector<Row> measure_revolution(const Paths& paths);
 /// A vase against POV-Ray, where it is installed.
 std::vector<Row> measure_vase(const Paths& paths);
 
+/// Rays against the patches of the teapot, in this process.
+std::vector<Row> measure_patches(const Paths& paths);
+
 /// Writes a picture of one pixel: what a process costs before it renders anything.
 void render_nothing(const std::string& directory);
 
