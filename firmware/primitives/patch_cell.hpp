@@ -137,6 +137,23 @@ bool spread(const Image<Real>& image, int step, const Side<Real>& across, Real t
   return true;
 }
 
+/// Whether the image turns the other way at a corner than `turn` (1 or -1) says: most images that
+/// are not one to one show it there.
+template <class Real>
+bool turns_over_at_corner(const Image<Real>& image, Real turn) {
+  for (int corner = 0; corner < 4; ++corner) {
+    charge<Real>(Operation::loop);
+    charge<Real>(Operation::branch);
+    const int at_u = (corner & 1) * 8 + (corner >> 1) * 3;
+    const int at_v = (corner & 1) * 12 + (corner >> 1) * 2;
+    const Real area = cross(side_of(image, at_u, at_u + 4), side_of(image, at_v, at_v + 1));
+    if (area * turn < constant<Real>(0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether no two points of a cell have the same image, because all sides along u point to one
 /// side of all sides along v. The ray then meets the cell once or never.
 template <class Real>
@@ -147,7 +164,10 @@ bool is_one_to_one(const Image<Real>& image, const Side<Real>& along_u, const Si
   if (!(absolute(area) > zero)) {
     return false;
   }
-  const Real turn = constant<Real>(area < zero ? -1 : 1);
+  const Real turn = area < zero ? constant<Real>(-1) : constant<Real>(1);
+  if (turns_over_at_corner(image, turn)) {
+    return false;
+  }
   const Side<Real> left{along_v.x * turn, along_v.y * turn};
   const Side<Real> back{-along_u.x, -along_u.y};
   Fan<Real> of_u{along_u, along_u};
@@ -176,13 +196,13 @@ bool is_thin(const Image<Real>& image, const Side<Real>& along_u, const Side<Rea
   return most - least <= size_of(along) * spacings<Real>(k_thin_tolerance);
 }
 
-/// Length of an image's curves along u (`step` 4) or v (`step` 1), so that also one that returns
-/// to its start has some.
+/// Length of the two inner curves of an image along u (`step` 4) or v (`step` 1): also when they
+/// return to their start, or when the edges beside them are collapsed.
 template <class Real>
 Real way_of(const Image<Real>& image, int step) {
   const int next = 5 - step;
   Real sum = constant<Real>(0);
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 1; i < 3; ++i) {
     charge<Real>(Operation::loop);
     const int first = i * next;
     sum += size_of(side_of(image, first, first + 2 * step)) +

@@ -12,6 +12,10 @@ namespace maquette::firmware::patches {
 template <class Real>
 inline constexpr int k_cell_bisection_limit = std::numeric_limits<Real>::digits + 8;
 
+/// Bisections from which on a cell's image may be a line: before, only that of a patch seen edge-on
+/// is.
+inline constexpr int k_first_thin_look = 4;
+
 /// Steps of Newton's method before the cell is bisected instead.
 inline constexpr int k_newton_limit = 12;
 
@@ -245,7 +249,9 @@ template <class Real>
     }
     const Side<Real> along_u = course(cell.image, 4);
     const Side<Real> along_v = course(cell.image, 1);
-    if (is_one_to_one(cell.image, along_u, along_v) || is_thin(cell.image, along_u, along_v) ||
+    const bool is_small = cell.bisections() >= k_first_thin_look;
+    if (is_one_to_one(cell.image, along_u, along_v) ||
+        (is_small && is_thin(cell.image, along_u, along_v)) ||
         cell.bisections() >= k_cell_bisection_limit<Real>) {
       const int winding = winding_of(cell);
       if (winding % 2 != 0) {

@@ -43,7 +43,7 @@ struct Sides {
 template <class Real>
 Sides sides_of(const Real* ordinates, int count) {
   Sides sides{false, false};
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0; i < count && !(sides.below && sides.above); ++i) {
     charge<Real>(Operation::loop);
     const bool is_below = ordinates[i] < constant<Real>(0);
     sides.below |= is_below;
