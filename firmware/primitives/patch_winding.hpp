@@ -11,8 +11,9 @@
 /// The boundary's crossings of the half-line x >= 0, y = 0 are counted; y = 0 counts as above it.
 namespace maquette::firmware::patches {
 
-/// Parts of a patch's edge shorter than 2^-limit of it are taken as straight. Not less, so that the
-/// cubes of small numbers stay in the range of the number type.
+/// Parts of a patch's edge of 2^-limit its length are taken as a point. Not less, so that the cubes
+/// of small numbers stay in the range of the number type; and counted from the whole edge, so that
+/// both sides of a joint end with the same parts.
 template <class Real>
 inline constexpr int k_edge_bisection_limit = std::numeric_limits<Real>::digits + 4;
 
@@ -72,8 +73,7 @@ int crossings_of(Edge<Real>& edge, int bisections_left) {
     return rise;
   }
   if (bisections_left <= 0) {
-    const Real turn = edge.x[0] * edge.y[3] - edge.x[3] * edge.y[0];
-    return (rise > 0 ? turn < zero : turn > zero) ? 0 : rise;
+    return edge.x[0] + edge.x[3] < zero ? 0 : rise;
   }
   Edge<Real> lower;
   bisect_curve(edge.x, lower.x, 1);

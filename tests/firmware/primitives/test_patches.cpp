@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "firmware/extent.hpp"
@@ -240,6 +241,58 @@ TEST_CASE("Both methods and both number types find the same hits") {
   CHECK(hits > k_rays);
   CHECK(of_methods == 0);
   CHECK(of_types <= k_rays / 1000);  // rays along a fold or an edge of a patch
+}
+
+/// How often a ray, both ways, meets the triangles of a fine mesh over a patch.
+int mesh_hits(const ControlNet& net, const Ray<double>& ray) {
+  constexpr int k_cells = 60;
+  const Vector<double> across = glm::normalize(glm::cross(ray.direction, {0.3, 0.5, 0.8}));
+  const Vector<double> up = glm::cross(glm::normalize(ray.direction), across);
+  std::vector<glm::dvec2> image;
+  for (int i = 0; i <= k_cells; ++i) {
+    for (int k = 0; k <= k_cells; ++k) {
+      const Vector<double> apart =
+          trial::point_of(net, i / static_cast<double>(k_cells), k / static_cast<double>(k_cells)) -
+          ray.origin;
+      image.emplace_back(glm::dot(apart, across), glm::dot(apart, up));
+    }
+  }
+  const auto left = [](const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x > 0;
+  };
+  const auto meets = [&](const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+    return left(a, b) == left(b, c) && left(b, c) == left(c, a);
+  };
+  int count = 0;
+  for (int i = 0; i < k_cells; ++i) {
+    for (int k = 0; k < k_cells; ++k) {
+      const auto at = static_cast<std::size_t>(i * (k_cells + 1) + k);
+      const glm::dvec2* const next = image.data() + at + k_cells + 1;
+      count += meets(image[at], next[0], image[at + 1]) ? 1 : 0;
+      count += meets(image[at + 1], next[0], next[1]) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST_CASE("As many hits are found as a fine mesh of the patch has") {
+  Random random(2211);
+  int hits = 0;
+  int several = 0;
+  int different = 0;
+  constexpr int k_rays = 3000;
+  for (int i = 0; i < k_rays; ++i) {
+    const ControlNet net = trial::random_net(random);
+    const auto parameters = trial::parameters_of<double>({net}, false, k_methods[i % 2]);
+    const Ray<double> ray = ray_towards(random, random.in_cube(0.4), 4);
+    const int found = hits_on(parameters, ray).count / 2;
+    hits += found;
+    several += found > 1 ? 1 : 0;
+    different += found == mesh_hits(net, ray) ? 0 : 1;
+  }
+  CHECK(hits > k_rays / 2);
+  CHECK(several > k_rays / 10);
+  CHECK(different <= k_rays / 500);  // the mesh's own error at folds and edges
 }
 
 /// Chords of parallel rays, and of rays of all directions, through a closed set.
