@@ -46,6 +46,7 @@ inline Needs all_needs() {
   for (bool& kind : needs.primitives) {
     kind = true;
   }
+  needs.several_spans = true;
   needs.unions = needs.intersections = needs.differences = true;
   needs.diffuse = needs.specular = needs.dielectrics = needs.metals = true;
   needs.facets[0] = needs.facets[1] = needs.facets[2] = true;
@@ -60,7 +61,7 @@ struct Model {
     PrimitiveKind kind;
     SurfaceIndex surface;
     Placement to_scene;
-    double parameter;
+    std::vector<double> parameters;
   };
 
   std::vector<Solid> solids;
@@ -85,7 +86,11 @@ struct Model {
   }
   NodeIndex add(PrimitiveKind kind, const Placement& to_scene, SurfaceIndex surface = 0,
                 double parameter = 0) {
-    solids.push_back({kind, surface, to_scene, parameter});
+    return add(kind, to_scene, surface, std::vector<double>{parameter});
+  }
+  NodeIndex add(PrimitiveKind kind, const Placement& to_scene, SurfaceIndex surface,
+                std::vector<double> parameters) {
+    solids.push_back({kind, surface, to_scene, std::move(parameters)});
     return static_cast<NodeIndex>(solids.size() - 1);
   }
   NodeIndex combine(BooleanOperator combination, NodeIndex a, NodeIndex b) {
@@ -211,7 +216,9 @@ class BuiltFrame {
       leaves_.push_back({k_no_node, solid.kind, solid.surface,
                          static_cast<std::uint32_t>(parameters_.size()),
                          rounded<Real>(solid.to_scene), rounded<Real>(inverse(solid.to_scene))});
-      parameters_.push_back(constant<Real>(solid.parameter));
+      for (const double parameter : solid.parameters) {
+        parameters_.push_back(constant<Real>(parameter));
+      }
     }
     for (const Composite& draft : model.composites) {
       composites_.push_back(
