@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/primitives/hit_order.hpp"
 #include "firmware/primitives/patch_point.hpp"
 #include "firmware/primitives/patch_roots.hpp"
 #include "firmware/primitives/primitive.hpp"
@@ -166,21 +167,6 @@ void intersect_node(const PlanePair<Real>& planes, const PatchSet<Real>& set, in
   const int half = patches / 2;
   intersect_node(planes, set, node + 1, first, half, list);
   intersect_node(planes, set, node + 2 * half, first + half, patches - half, list);
-}
-
-template <class Real>
-void sort(Hit<Real>* hits, int count) {
-  for (int i = 1; i < count; ++i) {
-    const Hit<Real> hit = hits[i];
-    int k = i;
-    charge<Real>(Operation::loop);
-    for (; k > 0 && hit.distance < hits[k - 1].distance; --k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::store, 2);
-      hits[k] = hits[k - 1];
-    }
-    hits[k] = hit;
-  }
 }
 
 /// Takes one of an odd number of hits out: the first that is not in turn from the front and from

@@ -34,6 +34,10 @@ bool needs_plane_cubics(const Needs& needs) {
          needs_primitive<PrimitiveKind::prism>(needs);
 }
 
+bool needs_hit_order(const Needs& needs) {
+  return needs_plane_cubics(needs) || needs_primitive<PrimitiveKind::patches>(needs);
+}
+
 bool needs_roots(const Needs& needs) {
   return needs_plane_cubics(needs) || needs_primitive<PrimitiveKind::algebraic>(needs);
 }
@@ -60,7 +64,7 @@ constexpr OptionalCode k_optional_code[] = {
     {"change_at", needs_plane_cubics},
     {"polygon_of", needs_plane_cubics},
     {"times_derivative", needs_plane_cubics},
-    {"sort", needs_plane_cubics},
+    {"sort", needs_hit_order},
     {"bisect", needs_roots},
     {"patches::", needs_primitive<PrimitiveKind::patches>},
     {"real_roots::", needs_roots},
