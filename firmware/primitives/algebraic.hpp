@@ -72,7 +72,7 @@ template <class Real>
 Vector<Real> axis_direction(int plane) {
   const Real zero = constant<Real>(0);
   Vector<Real> direction(zero, zero, zero);
-  direction[plane / 2] = constant<Real>(plane % 2 == 0 ? 1 : -1);
+  direction[plane / 2] = plane % 2 == 0 ? constant<Real>(1) : constant<Real>(-1);
   return direction;
 }
 
@@ -96,7 +96,7 @@ Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* pa
   charge<Real>(Operation::branch);
   if (face != k_surface) {
     const int plane = face - k_first_plane;
-    settled[plane / 2] = constant<Real>(plane % 2 == 0 ? 1 : -1);
+    settled[plane / 2] = plane % 2 == 0 ? constant<Real>(1) : constant<Real>(-1);
     return settled;
   }
   Jet<Real> jet = jet_at(parameters, settled);

@@ -83,7 +83,7 @@ Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* pa
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::branch);
   if (face >= k_upper_end) {
-    return {zero, zero, constant<Real>(face == k_upper_end ? 1 : -1)};
+    return {zero, zero, face == k_upper_end ? constant<Real>(1) : constant<Real>(-1)};
   }
   const CurvePoint<Real> on = edge_point(outline(parameters), face, point.x, point.y);
   return {on.change_y, -on.change_x, zero};
