@@ -1,46 +1,11 @@
 #pragma once
 
 #include "firmware/combine.hpp"
-#include "firmware/extent.hpp"
-#include "firmware/primitives/primitive_table.hpp"
+#include "firmware/ray_query.hpp"
 
 /// From a ray to its crossings with a node of the tree: extents, intersections in local frames,
 /// combination along the composites (paper, section V.2.3.1.2).
 namespace maquette::firmware {
-
-/// A ray in the screen frame and what is known of it. A primary ray starts at the eye, the origin
-/// of the screen frame, and is tested against rectangles; a secondary one has a unit direction and
-/// is tested against spheres.
-template <class Real>
-struct RayQuery {
-  Ray<Real> ray;
-  Real reach;  ///< what lies farther does not matter
-  bool is_primary;
-  std::int16_t column;  ///< of a primary ray
-  std::int16_t row;
-  /// A leaf whose outside the ray has just left: what a line meets in one segment it will not meet
-  /// again.
-  NodeIndex left_behind = k_no_node;
-};
-
-/// Whether a node is the leaf that the ray has left behind.
-template <class Real>
-bool is_left_behind(const Database<Real>& database, const RayQuery<Real>& query, NodeIndex node) {
-  charge<Real>(Operation::branch);
-  return node == query.left_behind && primitive_of<Real>(database.leaves[node].kind).is_convex;
-}
-
-template <class Real>
-bool may_meet(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
-  const Extent<Real>& extent = frame.prepared.extents[node];
-  charge<Real>(Operation::branch);
-  if (query.is_primary) {
-    charge<Real>(Operation::load, 2);
-    charge<Real>(Operation::branch, 4);
-    return extent.rectangle.contains(query.column, query.row);
-  }
-  return !extent.bounded || meets(query.ray, query.reach, extent.sphere);
-}
 
 /// The ray in the local frame of a leaf; distances along it stay the same.
 template <class Real>

@@ -92,6 +92,7 @@ struct Needs {
   bool primitives[k_primitive_kind_count];
   bool several_spans;  ///< a primitive in which a ray may have more than one span
   bool unions;
+  bool large_unions;  ///< a union of so many that testing boxes is worth its while
   bool intersections;
   bool differences;
   bool diffuse;   ///< a surface with d > 0

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/direct_light.hpp"
+#include "firmware/nearest.hpp"
 
 /// The binary tree of reflected and refracted rays (paper, section III.2, figure 3), walked with a
 /// stack: a ray's weight says what share of its luminance reaches the pixel, so sums need no way
@@ -22,21 +23,6 @@ struct WorkArea {
   Crossing<Real>* crossings;
   PendingRay<Real>* rays;
 };
-
-/// Index of the first crossing in front of the origin, `count` when there is none. `before` becomes
-/// the medium that the ray travels in until there.
-template <class Real>
-std::int32_t first_ahead(const Crossing<Real>* crossings, std::int32_t count,
-                         SurfaceIndex& before) {
-  before = k_void;
-  std::int32_t i = 0;
-  charge<Real>(Operation::loop);
-  while (i < count && !(crossings[i].distance > constant<Real>(0))) {
-    charge<Real>(Operation::loop);
-    before = crossings[i++].medium;
-  }
-  return i;
-}
 
 template <class Real>
 bool is_visible(const Database<Real>& database, const Color<Real>& weight) {
@@ -124,7 +110,7 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
   const Database<Real>& database = frame.database;
   charge<Real>(Operation::call);
   charge<Real>(Operation::branch, 5);
-  const std::int32_t count = cross(frame, query, database.root, area.crossings);
+  const std::int32_t count = cross_scene(frame, query, area.crossings);
   SurfaceIndex before = k_void;
   const std::int32_t first = first_ahead(area.crossings, count, before);
   if (first == count) {

@@ -132,7 +132,8 @@ template <class Real>
 bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
              Crossing<Real>* area, Color<Real>& light) {
   const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
-  return pass_node(frame, query, frame.database.root, area, light);
+  return pass_node(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
+                   frame.database.root, area, light);
 }
 
 }  // namespace maquette::firmware

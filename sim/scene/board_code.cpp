@@ -46,6 +46,8 @@ bool needs_composites(const Needs& needs) {
   return needs.unions || needs.intersections || needs.differences;
 }
 
+bool needs_large_unions(const Needs& needs) { return needs.large_unions; }
+
 bool needs_gloss(const Needs& needs) { return needs.specular && needs.lights; }
 
 constexpr OptionalCode k_optional_code[] = {
@@ -75,6 +77,13 @@ constexpr OptionalCode k_optional_code[] = {
     {"sign_changes", needs_roots},
     {"sign_of", needs_roots},
     {"cross_spans", [](const Needs& needs) { return needs.several_spans; }},
+    {"against_boxes", needs_large_unions},
+    {"slab_scale", needs_large_unions},
+    {"entry_into", needs_large_unions},
+    {"entry_of", needs_large_unions},
+    {"shorten", needs_large_unions},
+    {"cross_nearest", needs_large_unions},
+    {"cross_ahead", needs_large_unions},
     {"combine", needs_composites},
     {"OperandCursor::take", needs_composites},
     {"united", [](const Needs& needs) { return needs.unions; }},
@@ -225,8 +234,12 @@ std::int64_t board_stack_bytes(int tree_height, const Needs& needs) {
   for (const LeafChain& chain : k_leaf_chains) {
     deepest = std::max(deepest, chain.is_needed(needs) ? chain_bytes(chain) : 0);
   }
-  return bytes + deepest +
-         (tree_height + 1) * std::max(frame_bytes("cross"), frame_bytes("pass_node"));
+  std::int64_t level = std::max(frame_bytes("cross"), frame_bytes("pass_node"));
+  if (needs.large_unions) {
+    level = std::max(level, frame_bytes("cross_nearest"));
+    bytes += frame_bytes("cross_ahead");
+  }
+  return bytes + deepest + (tree_height + 1) * level;
 }
 
 }  // namespace maquette::sim

@@ -50,8 +50,8 @@ void write_needs(ImageWriter& writer, const firmware::Needs& needs) {
   for (const bool primitive : needs.primitives) {
     add(primitive);
   }
-  for (const bool need : {needs.unions, needs.intersections, needs.differences, needs.diffuse,
-                          needs.specular, needs.dielectrics, needs.metals}) {
+  for (const bool need : {needs.unions, needs.large_unions, needs.intersections, needs.differences,
+                          needs.diffuse, needs.specular, needs.dielectrics, needs.metals}) {
     add(need);
   }
   for (const bool distribution : needs.facets) {

@@ -19,6 +19,18 @@ bool combines_by(const ObjectTree& tree, firmware::BooleanOperator combination) 
       [combination](const firmware::Composite& c) { return c.combination == combination; });
 }
 
+/// The most bodies that unions within unions put together.
+std::size_t largest_union(const ObjectTree& tree) {
+  std::size_t largest = 0;
+  std::vector<std::size_t> sizes(tree.leaves.size(), 1);
+  for (const firmware::Composite& composite : tree.composites) {
+    const bool is_union = composite.combination == firmware::BooleanOperator::union_of;
+    sizes.push_back(is_union ? sizes[composite.sons[0]] + sizes[composite.sons[1]] : 1);
+    largest = std::max(largest, sizes.back());
+  }
+  return largest;
+}
+
 }  // namespace
 
 firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
@@ -31,6 +43,7 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
         needs.several_spans || !firmware::primitive_of<double>(leaf.kind).is_convex;
   }
   needs.unions = combines_by(tree, firmware::BooleanOperator::union_of);
+  needs.large_unions = largest_union(tree) >= k_large_union;
   needs.intersections = combines_by(tree, firmware::BooleanOperator::intersection);
   needs.differences = combines_by(tree, firmware::BooleanOperator::difference);
   needs.diffuse = any_surface(surfaces, [](const Packed& s) { return s.specular < 1; });
@@ -65,6 +78,7 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
           {"patches", needs.primitives[9]},
           {"several spans", needs.several_spans},
           {"union", needs.unions},
+          {"large union", needs.large_unions},
           {"intersection", needs.intersections},
           {"difference", needs.differences},
           {"diffuse reflection", needs.diffuse},

@@ -151,7 +151,25 @@ class TreeBuilder {
     return static_cast<NodeIndex>(node.is_leaf ? node.index : tree_.leaves.size() + node.index);
   }
 
+  /// Leaves in the order of the tree: what lies together in space lies together in memory.
+  void order_leaves(const Node& node, std::vector<TreeLeaf>& ordered) {
+    if (!node.is_leaf) {
+      for (Node& son : composites_[node.index].sons) {
+        order_leaves(son, ordered);
+        if (son.is_leaf) {
+          son.index = ordered.size() - 1;
+        }
+      }
+    } else {
+      ordered.push_back(std::move(tree_.leaves[node.index]));
+    }
+  }
+
   void number_nodes(const Node& root) {
+    std::vector<TreeLeaf> ordered;
+    ordered.reserve(tree_.leaves.size());
+    order_leaves(root, ordered);
+    tree_.leaves = std::move(ordered);
     tree_.root = number_of(root);
     tree_.height = root.height;
     for (const CompositeDraft& draft : composites_) {

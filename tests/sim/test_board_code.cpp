@@ -17,7 +17,7 @@ firmware::Needs all_needs() {
     distribution = true;
   }
   needs.several_spans = true;
-  needs.unions = needs.intersections = needs.differences = true;
+  needs.unions = needs.large_unions = needs.intersections = needs.differences = true;
   needs.diffuse = needs.specular = needs.dielectrics = needs.metals = true;
   needs.transparency = needs.absorption = needs.lights = needs.shadows = true;
   needs.ambient = needs.reflections = needs.depth = true;
