@@ -24,6 +24,8 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"two_threads", maquette::benchmark::measure_two_threads},
                                           {"sweep", maquette::benchmark::measure_sweep},
                                           {"revolution", maquette::benchmark::measure_revolution},
+                                          {"terrain", maquette::benchmark::measure_terrain},
+                                          {"unions", maquette::benchmark::measure_unions},
                                           {"vase", maquette::benchmark::measure_vase},
                                           {"patches", maquette::benchmark::measure_patches}};
 

@@ -40,6 +40,12 @@ std::vector<Row> measure_counting(const Paths& paths);
 /// Rays against surfaces of revolution, in this process.
 std::vector<Row> measure_revolution(const Paths& paths);
 
+/// Rays against terrains of several levels, in this process.
+std::vector<Row> measure_terrain(const Paths& paths);
+
+/// Rays in unions of 100 to 100 000 bodies, in this process.
+std::vector<Row> measure_unions(const Paths& paths);
+
 /// A vase against POV-Ray, where it is installed.
 std::vector<Row> measure_vase(const Paths& paths);
 
