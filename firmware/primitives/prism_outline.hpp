@@ -73,15 +73,14 @@ template <class Real>
 struct PlaneRay {
   Real x;  ///< direction, of unit length
   Real y;
-  Real passing;  ///< side and way of that point as rounding leaves them
-  Real start;
-  Real base;  ///< distance along the ray of that point
+  Real passing;  ///< how far the line passes the origin; positive: on its left
+  Real base;     ///< distance along the ray of that point
   Real inverse_length;
 
   /// Positive on the left; of the same sign for all edges that share a point, as it is the same
   /// number. Zero counts as positive.
   [[nodiscard]] Real side(Real px, Real py) const { return (x * py - y * px) - passing; }
-  [[nodiscard]] Real way(Real px, Real py) const { return (x * px + y * py) - start; }
+  [[nodiscard]] Real way(Real px, Real py) const { return x * px + y * py; }
   [[nodiscard]] Real distance(Real at) const { return base + at * inverse_length; }
 };
 
@@ -98,7 +97,6 @@ PlaneRay<Real> plane_ray(Real origin_x, Real origin_y, Real direction_x, Real di
   const Real nearest_y = origin_y + ray.y * way;
   ray.base = way * ray.inverse_length;
   ray.passing = ray.x * nearest_y - ray.y * nearest_x;
-  ray.start = ray.x * nearest_x + ray.y * nearest_y;
   return ray;
 }
 

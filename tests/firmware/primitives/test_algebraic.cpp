@@ -444,6 +444,33 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
   CHECK(checked > 1000);
 }
 
+TEMPLATE_TEST_CASE("A point off the surface settles on it nearby", "", float, double) {
+  using Real = TestType;
+  Random random(2110);
+  const double rounding = static_cast<double>(spacings<Real>(1));
+  int checked = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Solid solid = random_solid(random);
+    const Ray<double> ray = random_ray(random, 4);
+    const Hits<double> found = hits_on<double>(solid, ray.origin, ray.direction);
+    if (found.count == 0 || found.hits[0].face != k_surface) {
+      continue;
+    }
+    const double step = 1e-4;
+    const Vector<Real> off(ray.origin + ray.direction * found.hits[0].distance +
+                           random.direction() * step);
+    const Vector<double> on(settle(off, k_surface, parameters_of<Real>(solid)));
+    const double slope = glm::length(gradient_at(solid, on));
+    if (slope > 0.1 && magnitude(on) < 1) {
+      ++checked;
+      CAPTURE(i, slope);
+      REQUIRE(std::fabs(value_at(solid, on)) < 1e-3 * slope * step + 200 * rounding);
+      REQUIRE(glm::length(on - Vector<double>(off)) < 2 * step);
+    }
+  }
+  CHECK(checked > 500);
+}
+
 TEST_CASE("A singular point has a normal, on the side that is outside") {
   const Solid double_cone = solid_of({{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, -1}});
   const Solid planes = solid_of({{1, 1, 0, 1}, {0, 2, 0, 1}});
