@@ -45,12 +45,11 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
   charge<Real>(Operation::call, 3);
   charge<Real>(Operation::load, 3);
   const Ray<Real> local = local_ray(prepared, query);
-  const Vector<Real> settled = primitive.settle(local.origin + local.direction * crossing.distance,
-                                                crossing.face, parameters);
+  const FacePoint<Real> settled = primitive.settle(
+      local.origin + local.direction * crossing.distance, crossing.face, parameters);
   SurfacePoint<Real> point;
-  point.position = transform_point(prepared.to_screen, settled);
-  const Vector<Real> outward = normalize(
-      transform_normal(prepared.from_screen, primitive.normal(settled, crossing.face, parameters)));
+  point.position = transform_point(prepared.to_screen, settled.position);
+  const Vector<Real> outward = normalize(transform_normal(prepared.from_screen, settled.normal));
   // The way of the crossing, not a product with the direction: at a grazing point that rounding has
   // moved, its sign may be wrong.
   charge<Real>(Operation::branch);

@@ -88,37 +88,6 @@ Vector<Real> into_cube(const Vector<Real>& point) {
   return result;
 }
 
-/// Newton's steps along the gradient, taken as long as they bring f nearer to zero.
-template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
-  const Real zero = constant<Real>(0);
-  Vector<Real> settled = into_cube(point);
-  charge<Real>(Operation::branch);
-  if (face != k_surface) {
-    const int plane = face - k_first_plane;
-    settled[plane / 2] = plane % 2 == 0 ? constant<Real>(1) : constant<Real>(-1);
-    return settled;
-  }
-  Jet<Real> jet = jet_at(parameters, settled);
-  for (int step = 0; step < k_settle_steps; ++step) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
-    const Real steepness = glm::dot(jet.gradient, jet.gradient);
-    if (!(steepness > zero)) {
-      break;
-    }
-    const Vector<Real> next =
-        into_cube(Vector<Real>(settled - jet.gradient * (jet.value / steepness)));
-    const Jet<Real> next_jet = jet_at(parameters, next);
-    if (!(absolute(next_jet.value) < absolute(jet.value))) {
-      break;
-    }
-    settled = next;
-    jet = next_jet;
-  }
-  return settled;
-}
-
 /// At a singular point: of the six directions along the axes the one in which f is greatest.
 template <class Real>
 Vector<Real> singular_normal(const Vector<Real>& point, const Real* parameters) {
@@ -139,16 +108,38 @@ Vector<Real> singular_normal(const Vector<Real>& point, const Real* parameters) 
   return best;
 }
 
+/// On the surface by Newton's steps along the gradient, taken as long as they bring f nearer to
+/// zero; the gradient is the normal.
 template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+  const Real zero = constant<Real>(0);
+  Vector<Real> settled = into_cube(point);
   charge<Real>(Operation::branch, 2);
   if (face != k_surface) {
-    return axis_direction<Real>(face - k_first_plane);
+    const Vector<Real> outward = axis_direction<Real>(face - k_first_plane);
+    const int axis = (face - k_first_plane) / 2;
+    settled[axis] = outward[axis];
+    return {settled, outward};
   }
-  const Vector<Real> gradient = jet_at(parameters, point).gradient;
-  return magnitude(gradient) > spacings<Real>(k_gradient_tolerance)
-             ? gradient
-             : singular_normal(point, parameters);
+  Jet<Real> jet = jet_at(parameters, settled);
+  for (int step = 0; step < k_settle_steps; ++step) {
+    charge<Real>(Operation::loop);
+    charge<Real>(Operation::branch, 2);
+    const Real steepness = glm::dot(jet.gradient, jet.gradient);
+    if (!(steepness > zero)) {
+      break;
+    }
+    const Vector<Real> next =
+        into_cube(Vector<Real>(settled - jet.gradient * (jet.value / steepness)));
+    const Jet<Real> next_jet = jet_at(parameters, next);
+    if (!(absolute(next_jet.value) < absolute(jet.value))) {
+      break;
+    }
+    settled = next;
+    jet = next_jet;
+  }
+  const bool is_regular = magnitude(jet.gradient) > spacings<Real>(k_gradient_tolerance);
+  return {settled, is_regular ? jet.gradient : singular_normal(settled, parameters)};
 }
 
 template <class Real>

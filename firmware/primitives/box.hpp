@@ -20,23 +20,18 @@ int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits)
 }
 
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+  const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
-  Vector<Real> settled;
+  FacePoint<Real> settled{point, {zero, zero, zero}};
   for (int axis = 0; axis < 3; ++axis) {
     charge<Real>(Operation::loop);
-    settled[axis] = larger(-one, smaller(point[axis], one));
+    settled.position[axis] = larger(-one, smaller(point[axis], one));
   }
-  settled[face / 2] = (face % 2) == 0 ? one : -one;
+  const Real side = (face % 2) == 0 ? one : -one;
+  settled.position[face / 2] = side;
+  settled.normal[face / 2] = side;
   return settled;
-}
-
-template <class Real>
-Vector<Real> normal(const Vector<Real>& /*point*/, std::uint8_t face, const Real* /*parameters*/) {
-  const Real zero = constant<Real>(0);
-  Vector<Real> outward(zero, zero, zero);
-  outward[face / 2] = (face % 2) == 0 ? constant<Real>(1) : constant<Real>(-1);
-  return outward;
 }
 
 template <class Real>

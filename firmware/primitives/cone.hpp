@@ -97,32 +97,25 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   return hits_of(interval, hits);
 }
 
+/// The apex has no normal; the axis serves.
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+  const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const Real top = parameters[0];
-  charge<Real>(Operation::branch);
+  charge<Real>(Operation::branch, 3);
   if (face != k_side) {
-    return {point.x, point.y, face == 0 ? one : top};
+    return {{point.x, point.y, face == 0 ? one : top},
+            {zero, zero, face == 0 ? one : constant<Real>(-1)}};
   }
   const Real z = larger(top, smaller(point.z, one));
   const Real radius = square_root(point.x * point.x + point.y * point.y);
-  const Real ratio = radius > constant<Real>(0) ? z / radius : constant<Real>(0);
-  return {point.x * ratio, point.y * ratio, z};
-}
-
-/// The apex has no normal; the axis serves.
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
-  const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 2);
-  if (face != k_side) {
-    return {zero, zero, face == 0 ? constant<Real>(1) : constant<Real>(-1)};
+  const Real ratio = radius > zero ? z / radius : zero;
+  const Vector<Real> settled(point.x * ratio, point.y * ratio, z);
+  if (!(z > zero)) {
+    return {settled, {zero, zero, constant<Real>(-1)}};
   }
-  if (!(point.z > zero)) {
-    return {zero, zero, constant<Real>(-1)};
-  }
-  return {point.x, point.y, -point.z};
+  return {settled, {settled.x, settled.y, -z}};
 }
 
 template <class Real>

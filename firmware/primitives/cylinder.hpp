@@ -39,24 +39,17 @@ int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits)
 }
 
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
+  const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch);
+  charge<Real>(Operation::branch, 2);
   if (face != k_side) {
-    return {point.x, point.y, face == 0 ? one : -one};
+    const Real end = face == 0 ? one : -one;
+    return {{point.x, point.y, end}, {zero, zero, end}};
   }
   const Real inverse = one / square_root(point.x * point.x + point.y * point.y);
-  return {point.x * inverse, point.y * inverse, larger(-one, smaller(point.z, one))};
-}
-
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
-  const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch);
-  if (face != k_side) {
-    return {zero, zero, face == 0 ? constant<Real>(1) : constant<Real>(-1)};
-  }
-  return {point.x, point.y, zero};
+  const Vector<Real> outward(point.x * inverse, point.y * inverse, zero);
+  return {{outward.x, outward.y, larger(-one, smaller(point.z, one))}, outward};
 }
 
 template <class Real>

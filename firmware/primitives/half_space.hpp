@@ -15,14 +15,10 @@ int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits)
 }
 
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
-  return {point.x, point.y, constant<Real>(0)};
-}
-
-template <class Real>
-Vector<Real> normal(const Vector<Real>& /*point*/, std::uint8_t /*face*/,
-                    const Real* /*parameters*/) {
-  return {constant<Real>(0), constant<Real>(0), constant<Real>(1)};
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/,
+                       const Real* /*parameters*/) {
+  const Real zero = constant<Real>(0);
+  return {{point.x, point.y, zero}, {zero, zero, constant<Real>(1)}};
 }
 
 template <class Real>

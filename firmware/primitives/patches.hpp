@@ -196,26 +196,20 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   return list.count % 2 == 0 ? list.count : without_odd(hits, list.count);
 }
 
+/// The normal is that of a solid outwards, of a sheet to the side from which the ray came.
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
-  const Real* points = patch_set(parameters).patch(face % k_from_behind);
-  const Place<Real> place = nearest_place(points, point);
-  const Basis<Real> of_u = basis_at(place.u);
-  const Basis<Real> of_v = basis_at(place.v);
-  return {value_at(points, k_point_reals, of_u, of_v),
-          value_at(points + 1, k_point_reals, of_u, of_v),
-          value_at(points + 2, k_point_reals, of_u, of_v)};
-}
-
-/// Of a solid outwards; of a sheet to the side from which the ray came.
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const PatchSet<Real> set = patch_set(parameters);
   const Real* points = set.patch(face % k_from_behind);
   const Place<Real> place = nearest_place(points, point);
+  const Basis<Real> of_u = basis_at(place.u);
+  const Basis<Real> of_v = basis_at(place.v);
   const Vector<Real> front = normal_at(points, place.u, place.v);
   charge<Real>(Operation::branch);
-  return !set.is_solid && face >= k_from_behind ? -front : front;
+  return {
+      {value_at(points, k_point_reals, of_u, of_v), value_at(points + 1, k_point_reals, of_u, of_v),
+       value_at(points + 2, k_point_reals, of_u, of_v)},
+      !set.is_solid && face >= k_from_behind ? -front : front};
 }
 
 template <class Real>

@@ -14,16 +14,21 @@ struct Hit {
   std::uint8_t face;
 };
 
+/// A point of a face, and the outward normal there, not of unit length.
+template <class Real>
+struct FacePoint {
+  Vector<Real> position;
+  Vector<Real> normal;
+};
+
 /// A primitive in its local frame. Its surface may have several faces, told apart by a number.
 template <class Real>
 struct Primitive {
   /// Writes the hits of a ray, in and out in turn and in order, also those behind its origin.
   /// Returns their number, which is even and at most what `hit_limit` says.
   int (*intersect)(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits);
-  /// The point of the face nearest to a point that rounding has moved off it.
-  Vector<Real> (*settle)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
-  /// Outward normal at a point of the face; not of unit length.
-  Vector<Real> (*normal)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
+  /// The point of the face nearest to a point that rounding has moved off it, and its normal.
+  FacePoint<Real> (*settle)(const Vector<Real>& point, std::uint8_t face, const Real* parameters);
   /// A box around the primitive; returns false when there is none.
   bool (*bounds)(const Real* parameters, Box<Real>& box);
   /// The most hits that a ray has with the primitive of these parameters.

@@ -68,25 +68,16 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
 }
 
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+  const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   charge<Real>(Operation::branch);
   if (face >= k_upper_end) {
-    return {point.x, point.y, face == k_upper_end ? one : -one};
+    const Real end = face == k_upper_end ? one : -one;
+    return {{point.x, point.y, end}, {zero, zero, end}};
   }
   const CurvePoint<Real> on = edge_point(outline(parameters), face, point.x, point.y);
-  return {on.x, on.y, larger(-one, smaller(point.z, one))};
-}
-
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
-  const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch);
-  if (face >= k_upper_end) {
-    return {zero, zero, face == k_upper_end ? constant<Real>(1) : constant<Real>(-1)};
-  }
-  const CurvePoint<Real> on = edge_point(outline(parameters), face, point.x, point.y);
-  return {on.change_y, -on.change_x, zero};
+  return {{on.x, on.y, larger(-one, smaller(point.z, one))}, {on.change_y, -on.change_x, zero}};
 }
 
 template <class Real>

@@ -135,39 +135,30 @@ Real radius_of(const Vector<Real>& point) {
   return square_root(point.x * point.x + point.y * point.y);
 }
 
+/// The normal is perpendicular to the curve in the half-plane of the point (paper, section IV.2.3),
+/// free of the quotient dr / dz; on the axis along the axis.
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
-  const Generatrix<Real> curve = generatrix(parameters);
-  charge<Real>(Operation::branch, 2);
-  if (face >= k_first_disc) {
-    return {point.x, point.y, curve.section(face == k_first_disc ? 0 : curve.sections)[1]};
-  }
-  const Real* points = curve.section(face);
-  const Real radius = radius_of(point);
-  const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
-  const Real ratio = radius > constant<Real>(0) ? on.x / radius : constant<Real>(0);
-  return {point.x * ratio, point.y * ratio, on.y};
-}
-
-/// Perpendicular to the curve in the half-plane of the point (paper, section IV.2.3), free of the
-/// quotient dr / dz; on the axis along the axis.
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const Real zero = constant<Real>(0);
+  const Real one = constant<Real>(1);
   const Generatrix<Real> curve = generatrix(parameters);
   charge<Real>(Operation::branch, 3);
   if (face >= k_first_disc) {
     // With the solid on its left the chain runs from the lower side of the solid to the upper one.
-    return {zero, zero, face == k_first_disc ? constant<Real>(-1) : constant<Real>(1)};
+    const bool is_first = face == k_first_disc;
+    const Real height = curve.section(is_first ? 0 : curve.sections)[1];
+    return {{point.x, point.y, height}, {zero, zero, is_first ? -one : one}};
   }
   const Real* points = curve.section(face);
   const Real radius = radius_of(point);
   const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
   if (!(radius > zero)) {
-    return {zero, zero, on.change_x > zero ? constant<Real>(-1) : constant<Real>(1)};
+    return {{zero, zero, on.y}, {zero, zero, on.change_x > zero ? -one : one}};
   }
-  const Real ratio = on.change_y / radius;
-  return {point.x * ratio, point.y * ratio, -on.change_x};
+  const Real inverse = one / radius;
+  const Real x = point.x * inverse;
+  const Real y = point.y * inverse;
+  return {{x * on.x, y * on.x, on.y}, {x * on.change_y, y * on.change_y, -on.change_x}};
 }
 
 template <class Real>

@@ -20,13 +20,10 @@ int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits)
 }
 
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
-  return normalize(point);
-}
-
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t /*face*/, const Real* /*parameters*/) {
-  return point;
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/,
+                       const Real* /*parameters*/) {
+  const Vector<Real> settled = normalize(point);
+  return {settled, settled};
 }
 
 template <class Real>

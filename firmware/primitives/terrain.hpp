@@ -258,44 +258,32 @@ Real inside_unit(Real value) {
   return larger(constant<Real>(0), smaller(value, constant<Real>(1)));
 }
 
+/// On the surface the normal is that of the finest triangle over the point, in the triangle's own
+/// coordinates (-rise along, -rise across, 1).
 template <class Real>
-Vector<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
-  const Relief<Real> land = relief(parameters);
-  Vector<Real> settled(inside_unit(point.x), inside_unit(point.y), point.z);
-  charge<Real>(Operation::branch, 2);
-  if (face == k_surface) {
-    const Triangle<Real> triangle = triangle_at(land, settled.x, settled.y);
-    settled.z = height(triangle, cell_point(triangle, settled.x, settled.y));
-  } else if (face == k_floor) {
-    settled.z = land.floor;
-  } else {
-    settled[(face - k_first_wall) / 2] =
-        (face - k_first_wall) % 2 == 0 ? constant<Real>(1) : constant<Real>(0);
-  }
-  return settled;
-}
-
-/// That of the finest triangle over the point, in the triangle's own coordinates (-rise along,
-/// -rise across, 1).
-template <class Real>
-Vector<Real> normal(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
+FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const Real zero = constant<Real>(0);
+  const Real one = constant<Real>(1);
   const Relief<Real> land = relief(parameters);
-  Vector<Real> outward(zero, zero, constant<Real>(1));
-  charge<Real>(Operation::branch, 2);
+  FacePoint<Real> settled{{inside_unit(point.x), inside_unit(point.y), point.z}, {zero, zero, one}};
+  Vector<Real>& on = settled.position;
+  charge<Real>(Operation::branch, 3);
   if (face == k_surface) {
-    const Triangle<Real> triangle = triangle_at(land, point.x, point.y);
+    const Triangle<Real> triangle = triangle_at(land, on.x, on.y);
+    on.z = height(triangle, cell_point(triangle, on.x, on.y));
     const Real cells = from_integer<Real>(1 << triangle.level);
-    outward[triangle.is_above ? 1 : 0] = (triangle.first - triangle.corner) * cells;
-    outward[triangle.is_above ? 0 : 1] = (triangle.corner - triangle.last) * cells;
+    settled.normal[triangle.is_above ? 1 : 0] = (triangle.first - triangle.corner) * cells;
+    settled.normal[triangle.is_above ? 0 : 1] = (triangle.corner - triangle.last) * cells;
   } else if (face == k_floor) {
-    outward.z = constant<Real>(-1);
+    on.z = land.floor;
+    settled.normal.z = -one;
   } else {
     const bool is_far = (face - k_first_wall) % 2 == 0;
-    outward.z = zero;
-    outward[(face - k_first_wall) / 2] = is_far ? constant<Real>(1) : constant<Real>(-1);
+    on[(face - k_first_wall) / 2] = is_far ? one : zero;
+    settled.normal.z = zero;
+    settled.normal[(face - k_first_wall) / 2] = is_far ? one : -one;
   }
-  return outward;
+  return settled;
 }
 
 template <class Real>

@@ -420,10 +420,11 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
       for (int j = 0; j < found.count; ++j) {
         const Hit<Real>& hit = found.hits[j];
         const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
-        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
+        const FacePoint<Real> on_face = settle(Vector<Real>(p), hit.face, parameters);
+        const Vector<Real>& settled = on_face.position;
         const Vector<double> on(settled);
         REQUIRE(magnitude(on) <= 1);
-        const Vector<Real> outward = normal(settled, hit.face, parameters);
+        const Vector<Real> outward = on_face.normal;
         REQUIRE(length(outward) > Real(0));
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         if (hit.face != k_surface) {
@@ -459,7 +460,7 @@ TEMPLATE_TEST_CASE("A point off the surface settles on it nearby", "", float, do
     const double step = 1e-4;
     const Vector<Real> off(ray.origin + ray.direction * found.hits[0].distance +
                            random.direction() * step);
-    const Vector<double> on(settle(off, k_surface, parameters_of<Real>(solid)));
+    const Vector<double> on(settle(off, k_surface, parameters_of<Real>(solid)).position);
     const double slope = glm::length(gradient_at(solid, on));
     if (slope > 0.1 && magnitude(on) < 1) {
       ++checked;
@@ -475,10 +476,10 @@ TEST_CASE("A singular point has a normal, on the side that is outside") {
   const Solid double_cone = solid_of({{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 2, -1}});
   const Solid planes = solid_of({{1, 1, 0, 1}, {0, 2, 0, 1}});
   const Vector<float> apex(0, 0, 0);
-  CHECK(normal(apex, k_surface, double_cone.as_float.data()).z == 0);
-  CHECK(normal(apex, k_surface, planes.as_float.data()).y != 0);
+  CHECK(settle(apex, k_surface, double_cone.as_float.data()).normal.z == 0);
+  CHECK(settle(apex, k_surface, planes.as_float.data()).normal.y != 0);
   const Solid flat = solid_of({{8, 0, 0, 1}});
-  CHECK(glm::length(normal(apex, k_surface, flat.as_float.data())) == 1);
+  CHECK(glm::length(settle(apex, k_surface, flat.as_float.data()).normal) == 1);
 }
 
 TEMPLATE_TEST_CASE("A ray that leaves a convex solid does not meet it again", "", float, double) {
@@ -495,8 +496,9 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex solid does not meet it again", ""
     }
     const Vector<Real> p =
         Vector<Real>(target - direction * 3.0) + Vector<Real>(direction) * found.hits[0].distance;
-    const Vector<Real> settled = settle(p, found.hits[0].face, parameters);
-    const Vector<Real> outward = normalize(normal(settled, found.hits[0].face, parameters));
+    const FacePoint<Real> on_face = settle(p, found.hits[0].face, parameters);
+    const Vector<Real>& settled = on_face.position;
+    const Vector<Real> outward = normalize(on_face.normal);
     const Vector<Real> start = settled + outward * spacings<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =

@@ -180,10 +180,11 @@ TEMPLATE_TEST_CASE("Settled points lie on the patch, within the bounds, with nor
       for (int n = 0; n < found.count; ++n) {
         const Hit<Real>& hit = found.hits[n];
         const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
-        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters.data());
+        const FacePoint<Real> on_face = settle(Vector<Real>(p), hit.face, parameters.data());
+        const Vector<Real>& settled = on_face.position;
         CAPTURE(i, k, n, static_cast<int>(hit.face));
         const Vector<double> way = glm::normalize(ray.direction);
-        const Vector<double> outward(normal(settled, hit.face, parameters.data()));
+        const Vector<double> outward(on_face.normal);
         REQUIRE(glm::length(outward) == Approx(1).epsilon(1e-4));
         const double slope = glm::dot(outward, way);
         // Rounding along the ray moves off a surface that is grazed less.
@@ -218,8 +219,9 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex set does not meet it again", "", 
       }
       const Hit<Real>& hit = found.hits[0];
       const Vector<Real> p = Vector<Real>(ray.origin) + Vector<Real>(direction) * hit.distance;
-      const Vector<Real> settled = settle(p, hit.face, parameters.data());
-      const Vector<Real> outward = normal(settled, hit.face, parameters.data());
+      const FacePoint<Real> on_face = settle(p, hit.face, parameters.data());
+      const Vector<Real>& settled = on_face.position;
+      const Vector<Real> outward = on_face.normal;
       const Vector<Real> start = settled + outward * spacings<Real>(16);
       const Vector<double> away = random.direction_around(glm::normalize(Vector<double>(outward)),
                                                           random.magnitude(1e-6, 1));
@@ -245,7 +247,8 @@ TEMPLATE_TEST_CASE("Normals exist where an edge is collapsed to a point", "", fl
       const Hits<Real> found =
           hits_on<Real>(parameters, {{top.x, top.y, end * 2.0}, {0, 0, -1.0 * end}});
       REQUIRE(found.count == 2);
-      const Vector<Real> outward = normal(Vector<Real>(top), found.hits[0].face, parameters.data());
+      const Vector<Real> outward =
+          settle(Vector<Real>(top), found.hits[0].face, parameters.data()).normal;
       CAPTURE(i, size, outward.x, outward.y);
       REQUIRE(static_cast<double>(outward.z) * end > 0.999);
     }

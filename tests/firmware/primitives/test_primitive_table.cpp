@@ -124,11 +124,10 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
         continue;  // a half-space has no end there
       }
       const Vector<Real> p = Vector<Real>(origin) + Vector<Real>(direction) * hit.distance;
-      const Vector<Real> settled = primitive.settle(p, hit.face, &top);
-      const Vector<double> on(settled);
+      const FacePoint<Real> settled = primitive.settle(p, hit.face, &top);
+      const Vector<double> on(settled.position);
       REQUIRE(absolute(outside_by(kind, exact_top, on)) <= rounding);
-      const Vector<double> normal =
-          glm::normalize(Vector<double>(primitive.normal(settled, hit.face, &top)));
+      const Vector<double> normal = glm::normalize(Vector<double>(settled.normal));
       const double step = 1e-3;
       REQUIRE(outside_by(kind, exact_top, on + normal * step) > 0.5 * step);
       const double along_ray = glm::dot(normal, direction);
@@ -136,7 +135,8 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
       REQUIRE((k == 0 ? along_ray < rounding : along_ray > -rounding));
       Box<Real> box{};
       if (primitive.bounds(&top, box)) {
-        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <= rounding);
+        REQUIRE(magnitude(higher(box.low, lower(settled.position, box.high)) - settled.position) <=
+                rounding);
       }
     }
   }

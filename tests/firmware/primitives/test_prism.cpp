@@ -309,7 +309,8 @@ TEMPLATE_TEST_CASE("A square prism is the box", "", float, double) {
     for (int k = 0; k < count; ++k) {
       CAPTURE(i, k, ray.direction.x, ray.direction.y, ray.direction.z);
       // In an edge of the cube the two may name different faces.
-      const Vector<double> outward = normal(ray.origin, found.hits[k].face, cube.parameters.data());
+      const Vector<double> outward =
+          settle(ray.origin, found.hits[k].face, cube.parameters.data()).normal;
       const double slope = std::fmin(std::fabs(glm::dot(glm::normalize(outward), ray.direction)),
                                      std::fabs(ray.direction[expected[k].face / 2])) /
                            speed;
@@ -397,7 +398,8 @@ double room_around(const Solid& solid, const Vector<double>& p, std::uint8_t fac
 /// How far rounding to float may move a hit along its ray; large where it may take it past an edge.
 double uncertainty(const Solid& solid, const Ray<double>& ray, const Hit<double>& hit) {
   const Vector<double> p = ray.origin + ray.direction * hit.distance;
-  const Vector<double> outward = glm::normalize(normal(p, hit.face, solid.parameters.data()));
+  const Vector<double> outward =
+      glm::normalize(settle(p, hit.face, solid.parameters.data()).normal);
   return room_around(solid, p, hit.face) < 1e-5
              ? 1e9
              : 1e-5 / std::fabs(glm::dot(outward, ray.direction));
@@ -450,13 +452,14 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
       for (int j = 0; j < found.count; ++j) {
         const Hit<Real>& hit = found.hits[j];
         const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
-        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
+        const FacePoint<Real> on_face = settle(Vector<Real>(p), hit.face, parameters);
+        const Vector<Real>& settled = on_face.position;
         const Vector<double> on(settled);
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         REQUIRE(place_of(solid, on).distance < 5e-5);
         REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
                 spacings<Real>(4));
-        const Vector<Real> outward = normal(settled, hit.face, parameters);
+        const Vector<Real> outward = on_face.normal;
         REQUIRE(length(outward) > Real(0));
         const double step = 1e-3;
         const Vector<double> away = glm::normalize(Vector<double>(outward)) * step;
@@ -490,8 +493,9 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex prism does not meet it again", ""
     }
     const Vector<Real> p =
         Vector<Real>(target - direction * 3.0) + Vector<Real>(direction) * found.hits[0].distance;
-    const Vector<Real> settled = settle(p, found.hits[0].face, parameters);
-    const Vector<Real> outward = normalize(normal(settled, found.hits[0].face, parameters));
+    const FacePoint<Real> on_face = settle(p, found.hits[0].face, parameters);
+    const Vector<Real>& settled = on_face.position;
+    const Vector<Real> outward = normalize(on_face.normal);
     const Vector<Real> start = settled + outward * spacings<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =

@@ -308,13 +308,13 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
       for (int j = 0; j < found.count; ++j) {
         const Hit<Real>& hit = found.hits[j];
         const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
-        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
-        const Vector<double> on(settled);
+        const FacePoint<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
+        const Vector<double> on(settled.position);
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         REQUIRE(place_of(solid, on).distance < 1e-5);
-        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
+        REQUIRE(magnitude(higher(box.low, lower(settled.position, box.high)) - settled.position) <=
                 spacings<Real>(4));
-        const Vector<Real> outward = normal(settled, hit.face, parameters);
+        const Vector<Real>& outward = settled.normal;
         REQUIRE(length(outward) > Real(0));
         const double step = 1e-3;
         const Vector<double> away = glm::normalize(Vector<double>(outward)) * step;
@@ -347,9 +347,9 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex solid does not meet it again", ""
     }
     const Vector<Real> p =
         Vector<Real>(target - direction * 3.0) + Vector<Real>(direction) * found.hits[0].distance;
-    const Vector<Real> settled = settle(p, found.hits[0].face, parameters);
-    const Vector<Real> outward = normalize(normal(settled, found.hits[0].face, parameters));
-    const Vector<Real> start = settled + outward * spacings<Real>(32);
+    const FacePoint<Real> settled = settle(p, found.hits[0].face, parameters);
+    const Vector<Real> outward = normalize(settled.normal);
+    const Vector<Real> start = settled.position + outward * spacings<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =
         random.direction_around(glm::normalize(axis), random.magnitude(1e-6, 1));
@@ -371,8 +371,8 @@ TEST_CASE("A normal exists on the axis and where the generatrix is horizontal") 
       for (int k = -16; k <= 16; ++k) {
         const auto section = static_cast<std::uint8_t>(face);
         const double* parameters = dome.parameters.data();
-        const Vector<double> on = settle<double>({i / 16.0, 0, k / 16.0}, section, parameters);
-        const Vector<double> outward = normal(on, section, parameters);
+        const Vector<double> outward =
+            settle<double>({i / 16.0, 0, k / 16.0}, section, parameters).normal;
         REQUIRE(glm::length(outward) > 0);
         REQUIRE(outward.y == 0);
       }

@@ -516,14 +516,14 @@ TEMPLATE_TEST_CASE("Settled points of a terrain lie on it, with outward normals"
           continue;
         }
         const Vector<double> p = ray.origin + ray.direction * static_cast<double>(hit.distance);
-        const Vector<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
-        const Vector<double> on(settled);
+        const FacePoint<Real> settled = settle(Vector<Real>(p), hit.face, parameters);
+        const Vector<double> on(settled.position);
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         REQUIRE(glm::length(on - p) < near);
         REQUIRE(std::fabs(outside_by(land, on)) < near);
-        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
+        REQUIRE(magnitude(higher(box.low, lower(settled.position, box.high)) - settled.position) <=
                 spacings<Real>(4));
-        const Vector<double> outward(normalize(normal(settled, hit.face, parameters)));
+        const Vector<double> outward(normalize(settled.normal));
         const Vector<double> away = outward * (4 * near);
         if (hit.face == k_surface) {
           const double cells = land.finest().cells;
@@ -560,9 +560,9 @@ TEMPLATE_TEST_CASE("A ray that leaves a plane terrain does not meet it again", "
   const Real* parameters = parameters_of<Real>(land);
   for (int i = 0; i < 20000; ++i) {
     const Vector<Real> p(Vector<double>(random.uniform(0.01, 0.99), random.uniform(0.01, 0.99), 0));
-    const Vector<Real> settled = settle(p, k_surface, parameters);
-    const Vector<Real> outward = normalize(normal(settled, k_surface, parameters));
-    const Vector<Real> start = settled + outward * spacings<Real>(16);
+    const FacePoint<Real> settled = settle(p, k_surface, parameters);
+    const Vector<Real> outward = normalize(settled.normal);
+    const Vector<Real> start = settled.position + outward * spacings<Real>(16);
     const Vector<double> away =
         random.direction_around(glm::normalize(Vector<double>(outward)), random.magnitude(1e-6, 1));
     const Hits<Real> again = hits_on<Real>(land, Vector<double>(start), away);
@@ -595,9 +595,9 @@ TEMPLATE_TEST_CASE("A free ray from any point of a rough terrain, also from its 
         ++folds;
         place.x = (1 + random.below(30)) / 32.0 + random.uniform(-8, 8) * 1e-7;
       }
-      const Vector<Real> settled = settle(Vector<Real>(place), k_surface, parameters);
-      const Vector<Real> outward = normalize(normal(settled, k_surface, parameters));
-      const Vector<Real> start = settled + outward * spacings<Real>(32);
+      const FacePoint<Real> settled = settle(Vector<Real>(place), k_surface, parameters);
+      const Vector<Real> outward = normalize(settled.normal);
+      const Vector<Real> start = settled.position + outward * spacings<Real>(32);
       const Vector<double> away =
           random.direction_around(glm::normalize(Vector<double>(outward)), random.uniform(0.1, 1));
       const Vector<double> on(place.x, place.y, land.finest().height(place.x, place.y));
