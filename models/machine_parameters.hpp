@@ -10,8 +10,8 @@ namespace maquette::models {
 /// Which master the arbiter of the bus prefers among those of the same instant.
 enum class ArbitrationPolicy { priority, round_robin };
 
-/// How exactly the bus is simulated: every request arbitrated at its instant; masters that run ahead
-/// of one another for a quantum; or no contention at all.
+/// How exactly the bus is simulated: every request arbitrated at its instant; masters that run
+/// ahead of one another for a quantum; or no contention at all.
 enum class BusLevel { transaction, decoupled, ideal };
 
 /// When a master gives the bus back (VM02 data sheet p. 2-53/54): after each access ("indirect"),
