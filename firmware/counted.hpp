@@ -100,6 +100,11 @@ inline Counted square_root(Counted a) {
   return {square_root(a.value)};
 }
 
+inline Counted saturated_inverse(Counted a) {
+  counting::count(Operation::divide);
+  return {saturated_inverse(a.value)};
+}
+
 inline Counted absolute(Counted a) {
   counting::count(Operation::absolute);
   return {absolute(a.value)};

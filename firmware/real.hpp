@@ -66,6 +66,11 @@ template <class Real>
   return constant<Real>(count * static_cast<double>(std::numeric_limits<Real>::epsilon()));
 }
 
+/// 1 / value of a length; of zero the largest number that is used, as the board's arithmetic
+/// package saturates: its format has no infinities (MC68343 FFP sources).
+constexpr float saturated_inverse(float length) { return length > 0 ? 1 / length : 1e18F; }
+constexpr double saturated_inverse(double length) { return length > 0 ? 1 / length : 1e18; }
+
 /// Stands for a distance that is never reached; inside the range of the FFP format (9.22e18).
 template <class Real>
 constexpr Real far_away() {

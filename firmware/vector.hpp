@@ -65,10 +65,10 @@ Real length(const Vector<Real>& v) {
   return square_root(glm::dot(v, v));
 }
 
-/// The vector in unit length; it must not be zero.
+/// The vector in unit length; the zero vector stays zero.
 template <class Real>
 Vector<Real> normalize(const Vector<Real>& v) {
-  return v * (constant<Real>(1) / length(v));
+  return v * saturated_inverse(length(v));
 }
 
 /// Largest magnitude of the three components.

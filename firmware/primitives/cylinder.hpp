@@ -47,7 +47,7 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
     const Real end = face == 0 ? one : -one;
     return {{point.x, point.y, end}, {zero, zero, end}};
   }
-  const Real inverse = one / square_root(point.x * point.x + point.y * point.y);
+  const Real inverse = saturated_inverse(square_root(point.x * point.x + point.y * point.y));
   const Vector<Real> outward(point.x * inverse, point.y * inverse, zero);
   return {{outward.x, outward.y, larger(-one, smaller(point.z, one))}, outward};
 }

@@ -142,5 +142,24 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
   }
 }
 
+TEMPLATE_TEST_CASE("A point that rounding has brought onto the axis settles to numbers", "", float,
+                   double) {
+  using Real = TestType;
+  const Real zero = constant<Real>(0);
+  const Real top = zero;
+  for (const PrimitiveKind kind : k_kinds) {
+    const Primitive<Real>& primitive = primitive_of<Real>(kind);
+    for (std::uint8_t face = 0; face < 3; ++face) {
+      const FacePoint<Real> settled = primitive.settle({zero, zero, zero}, face, &top);
+      const Vector<Real> normal = normalize(settled.normal);
+      CAPTURE(static_cast<int>(kind), static_cast<int>(face));
+      for (int axis = 0; axis < 3; ++axis) {
+        CHECK(std::isfinite(settled.position[axis]));
+        CHECK(std::isfinite(normal[axis]));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace maquette::firmware
