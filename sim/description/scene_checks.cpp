@@ -35,6 +35,18 @@ void check_sheets_below(const Object& object, const std::string& surface_above,
   }
 }
 
+/// The most rays that may follow one through transparent bodies: each is followed by two, and those
+/// of one depth together weigh no more than the first.
+double most_rays(const RayTree& tree) {
+  double rays = 0;
+  double of_depth = 1;
+  for (int depth = 1; depth <= tree.depth; ++depth) {
+    of_depth = std::min(2 * of_depth, 1 / tree.minimum_weight);
+    rays += of_depth;
+  }
+  return rays;
+}
+
 }  // namespace
 
 void check_sheets(const Scene& scene) {
@@ -72,6 +84,17 @@ void check_surface(const Surface& surface, const YamlNode& node) {
   }
   if (!surface.transparent && surface.absorption != Color{0, 0, 0}) {
     fail(node, "absorption", "it needs `transparent: true`");
+  }
+}
+
+void check_ray_tree(const Scene& scene, const YamlNode& node) {
+  constexpr double k_most_rays = 1e7;
+  const bool is_binary = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                     [](const Surface& surface) { return surface.transparent; });
+  if (is_binary && !(most_rays(scene.ray_tree) <= k_most_rays)) {
+    fail(node, "ray_tree",
+         "with a transparent surface more than ten million rays may follow one; a larger "
+         "minimum_weight or a smaller depth is allowed");
   }
 }
 

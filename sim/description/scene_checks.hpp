@@ -12,5 +12,8 @@ void check_surface(const Surface& surface, const YamlNode& node);
 
 /// Patches without thickness need an opaque surface.
 void check_sheets(const Scene& scene);
+/// Refuses a tree of rays that would hardly end: between transparent bodies each ray is followed by
+/// two, as far as depth and weight allow. `node` is that of the scene.
+void check_ray_tree(const Scene& scene, const YamlNode& node);
 
 }  // namespace maquette::sim

@@ -166,6 +166,20 @@ TEST_CASE("views that show nothing are refused") {
               "scene.yaml:1:74: ", "one of field_of_view, screen");
 }
 
+TEST_CASE("trees of rays that would not end are refused") {
+  Pieces glass;
+  glass.red = "  red: {specular: 1, transparent: true}";
+  const auto with_tree = [&glass](const std::string& tree) {
+    glass.rest = "ray_tree: " + tree;
+    return error_of(glass.text());
+  };
+  check_error(with_tree("{depth: 64, minimum_weight: 0}"), "scene.yaml:3:", "minimum_weight");
+  check_error(with_tree("{depth: 1000, minimum_weight: 1e-5}"), "scene.yaml:3:", "depth");
+  CHECK(with_tree("{depth: 64, minimum_weight: 0.00002}").empty());
+  CHECK(with_tree("{depth: 16, minimum_weight: 0}").empty());
+  CHECK(with_rest("ray_tree: {depth: 1000, minimum_weight: 0}").empty());
+}
+
 TEST_CASE("surfaces that cannot be are refused") {
   check_error(with_surface("  red: {index: [1, 2, 3]}"), "scene.yaml:5:16: index: ", "same index");
   check_error(with_surface("  red: {absorption: 1}"), "scene.yaml:5:21: ", "transparent: true");
