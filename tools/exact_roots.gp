@@ -1,5 +1,5 @@
-\\ Writes the table of exact roots that the tests of the root finder read.
-\\ Usage: gp -q tools/exact_roots.gp > tests/firmware/exact_roots.txt
+\\ Writes the table of exact roots that the stability of the root finder is measured by.
+\\ Usage: gp -q tools/exact_roots.gp > sim/stability/exact_roots.txt
 \\
 \\ A line is a polynomial sum c_i u^i (1-u)^(n-i): family, bits of the coefficients, n, each c_i as
 \\ mantissa and exponent of two, the number of real roots in [0, 1] and the roots, multiple ones

@@ -53,12 +53,16 @@ DescriptionSources sources_of(const CommonOptions& options) {
     sources.machine = options.machine;
   }
   sources.overrides = options.overrides;
-  sources.models_directory = std::string(k_project_directory) + "/models";
+  sources.models_directory = project_path("models");
   return sources;
 }
 
+std::string project_path(const std::string& name) {
+  return std::string(k_project_directory) + "/" + name;
+}
+
 std::string path_for_results(const std::string& path) {
-  const std::string prefix = std::string(k_project_directory) + "/";
+  const std::string prefix = project_path("");
   return path.compare(0, prefix.size(), prefix) == 0 ? path.substr(prefix.size()) : path;
 }
 

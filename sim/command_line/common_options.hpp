@@ -37,6 +37,9 @@ std::vector<std::string> overrides_of(const BusOptions& options);
 /// Where the descriptions that these options name come from.
 DescriptionSources sources_of(const CommonOptions& options);
 
+/// The path of a file or directory that is shipped, named relative to the project.
+std::string project_path(const std::string& name);
+
 /// The path as a result may name it: relative to the project for the shipped descriptions, as given
 /// otherwise.
 std::string path_for_results(const std::string& path);

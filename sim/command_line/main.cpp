@@ -9,6 +9,7 @@
 #include "sim/command_line/compare_command.hpp"
 #include "sim/command_line/describe_command.hpp"
 #include "sim/command_line/run_command.hpp"
+#include "sim/command_line/stability_command.hpp"
 #include "sim/command_line/sweep_command.hpp"
 #include "sim/description/description_error.hpp"
 
@@ -35,6 +36,7 @@ int run_program(int argc, char** argv) {
   maquette::sim::add_sweep_commands(program, command, exit_code);
   maquette::sim::add_accuracy_command(program, command, exit_code);
   maquette::sim::add_compare_command(program, exit_code);
+  maquette::sim::add_stability_command(program, command, exit_code);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

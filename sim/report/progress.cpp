@@ -50,6 +50,12 @@ std::string study_progress_line(int done, int failed, int planned, double host_t
   return line;
 }
 
+std::string check_progress_line(int done, int planned, const std::string& now, double host_time_s) {
+  const double fraction = planned > 0 ? static_cast<double>(done) / planned : 1;
+  return fmt::format("[{}] {} of {} checks, {}, now {}", bar(fraction), done, planned,
+                     clock_time(host_time_s), now);
+}
+
 Progress::Progress(bool wanted)
     : active_(wanted && ::isatty(STDERR_FILENO) == 1), start_(Clock::now()), next_(start_) {}
 
@@ -68,6 +74,12 @@ void Progress::show(models::Duration simulated, double fraction) {
 void Progress::show_points(int done, int failed, int planned) {
   if (is_due()) {
     write(study_progress_line(done, failed, planned, host_time_s()));
+  }
+}
+
+void Progress::show_checks(int done, int planned, const std::string& now) {
+  if (is_due()) {
+    write(check_progress_line(done, planned, now, host_time_s()));
   }
 }
 

@@ -15,6 +15,10 @@ std::string progress_line(models::Duration simulated, double fraction, double ho
 /// time, host time left.
 std::string study_progress_line(int done, int failed, int planned, double host_time_s);
 
+/// One line of progress of a list of checks: how many are done of those planned, what is checked
+/// now, host time so far.
+std::string check_progress_line(int done, int planned, const std::string& now, double host_time_s);
+
 /// The progress bar of a run or a study, on standard error while that is a terminal, and never in a
 /// result.
 class Progress {
@@ -30,6 +34,7 @@ class Progress {
   /// Call as often as convenient: the terminal is written ten times a second at most.
   void show(models::Duration simulated, double fraction);
   void show_points(int done, int failed, int planned);
+  void show_checks(int done, int planned, const std::string& now);
 
  private:
   using Clock = std::chrono::steady_clock;

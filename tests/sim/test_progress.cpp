@@ -18,3 +18,8 @@ TEST_CASE("a progress line at the start and outside of the range") {
   CHECK(progress_line(1s, 1.5, 1) == progress_line(1s, 1, 1));
   CHECK(progress_line(1s, -1, 1) == progress_line(1s, 0, 1));
 }
+
+TEST_CASE("a progress line of checks tells how many are done and which one runs") {
+  CHECK(maquette::sim::check_progress_line(3, 12, "float roots", 61) ==
+        "[######..................] 3 of 12 checks, 1:01, now float roots");
+}

@@ -6,6 +6,7 @@
 
 #include "firmware/counted.hpp"
 #include "sim/scene/prepared_scene.hpp"
+#include "sim/stability/scene_scale.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Laws that whole pictures keep.
@@ -107,20 +108,6 @@ Scene lively_scene() {
        ring("silver", {-2.7, -2.2, 0.3}), washer("plastic", {4.7, -0.3, 0}),
        primitive(ObjectKind::sphere, "glass", {-0.9, -3.2, 0.8}, {0.7, 0.7, 0.7}),
        primitive(ObjectKind::box, "glass", {3.2, -2.4, 0.9}, {1.2, 0.8, 1.5})});
-  return scene;
-}
-
-Scene scaled(Scene scene, double scale) {
-  scene.view.eye *= scale;
-  scene.view.target *= scale;
-  for (Light& light : scene.lights) {
-    light.position *= scale;
-  }
-  for (Surface& surface : scene.surfaces) {
-    surface.absorption /= scale;
-  }
-  scene.object.placement =
-      firmware::concatenate(firmware::trial::scaled({scale, scale, scale}), scene.object.placement);
   return scene;
 }
 

@@ -1,0 +1,244 @@
+#include "sim/stability/coincident_faces.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "sim/description/placement.hpp"
+#include "sim/scene/local_frame.hpp"
+#include "sim/stability/random_tree.hpp"
+#include "sim/stability/tally.hpp"
+#include "sim/stability/trial_scene.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+using firmware::PrimitiveKind;
+using trial::Random;
+
+constexpr const char* k_group = "csg";
+constexpr int k_rays_per_body = 50;
+constexpr double k_pi = firmware::elementary::k_pi;
+/// Spacings by which elements of a placement are rounded otherwise.
+constexpr double k_spacings = 1;
+/// The sine of the angle, 3.6 degrees, below which a ray may see both of two coincident faces. They
+/// are apart by a spacing of their coordinates for the placement and one for the arithmetic of the
+/// ray, along the ray by that over the sine, and crossings within k_crossing_tolerance spacings are
+/// taken as one.
+constexpr double k_grazing_sine = (k_spacings + 1) / firmware::preprocessing::k_crossing_tolerance;
+
+/// Largest coordinates beyond which no distance lies inside of a scene: only what has no bounds,
+/// met at a flat angle, goes on behind it.
+constexpr double k_farthest = 4;
+
+struct SkinTally {
+  int rays = 0;
+  int skins = 0;
+  int grazing = 0;  ///< skins of rays that nearly lie in them, or behind the scene
+  int slivers = 0;  ///< spans as short as rounding
+
+  void operator+=(const SkinTally& other) {
+    rays += other.rays;
+    skins += other.skins;
+    grazing += other.grazing;
+    slivers += other.slivers;
+  }
+};
+
+/// Where a body stands.
+struct Place {
+  double size;
+  Vector3 center;
+  Placement placement;
+};
+
+Place random_place(Random& random) {
+  const double size = random.magnitude(1e-4, 1e4);
+  const Vector3 center = random.in_cube(10) * size;
+  return {size, center, random.placement(center, size, 3)};
+}
+
+/// Elements off by up to a spacing of the number type.
+template <class Real>
+Placement rounded_otherwise(Random& random, Placement placement) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      placement[column][row] *=
+          1 + random.uniform(-k_spacings, k_spacings) * std::numeric_limits<Real>::epsilon();
+    }
+  }
+  return placement;
+}
+
+/// A turn about z that maps every solid of a primitive onto itself; 0 where there is none.
+double own_turn(Random& random, PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::box:
+      return k_pi / 2;
+    case PrimitiveKind::half_space:
+    case PrimitiveKind::sphere:
+    case PrimitiveKind::cylinder:
+    case PrimitiveKind::cone:
+    case PrimitiveKind::revolution:
+      return random.uniform(0, 2 * k_pi);
+    default:
+      return 0;
+  }
+}
+
+/// The origin of a ray in a direction at a target near a body: within the scene, which reaches from
+/// the eye to the body.
+Vector3 origin_of_ray(Random& random, const Place& place, const Vector3& target,
+                      const Vector3& direction) {
+  const double way = glm::length(place.center) + 2 * place.size;
+  return target - direction * (way * random.uniform(0.5, 2));
+}
+
+/// Whether crossings are of a span so short that its ends fall together: a ray that meets an edge
+/// within rounding.
+template <class Real>
+bool is_sliver(const TrialScene<Real>& scene, const Crossings<Real>& crossings) {
+  return crossings.count == 2 &&
+         firmware::coincide(scene.frame().prepared, crossings.first[0], crossings.first[1]);
+}
+
+/// A ray at a body of which nothing may be left.
+template <class Real>
+void try_nothing(Random& random, TrialScene<Real>& scene, const Place& place, SkinTally& tally) {
+  const Vector3 aim = place.center + random.in_cube(place.size / 2);
+  const Vector3 direction = random.direction();
+  const Vector3 from = origin_of_ray(random, place, aim, direction);
+  const auto query = query_of<Real>(rounded<Real>(from), direction);
+  const Crossings<Real> left = scene.crossings(query);
+  ++tally.rays;
+  if (left.count == 0) {
+    return;
+  }
+  const firmware::Crossing<Real>& in = left.first[0];
+  const auto seen = firmware::surface_point(scene.frame(), query, in, firmware::k_void);
+  const auto scale = static_cast<double>(scene.frame().prepared.leaves[0].scale);
+  if (is_sliver(scene, left)) {
+    ++tally.slivers;
+  } else if (std::fabs(glm::dot(Vector3(seen.normal), direction)) < k_grazing_sine ||
+             static_cast<double>(in.distance) > k_farthest * scale) {
+    ++tally.grazing;
+  } else {
+    ++tally.skins;
+  }
+}
+
+template <class Real>
+void try_without_itself(Random& random, const SolidFamily& family, SkinTally& tally) {
+  const Place place = random_place(random);
+  const Object body = random_solid(random, family, place.placement);
+  Object other = body;
+  const double turn = own_turn(random, family.kind);
+  if (turn != 0 && random.coin()) {
+    const Placement turned = concatenated(place.placement, trial::turned({0, 0, 1}, turn));
+    other.placement =
+        concatenated(turned, concatenated(inverse_of(place.placement), body.placement));
+  } else {
+    other.placement = rounded_otherwise<Real>(random, body.placement);
+  }
+  TrialScene<Real> scene(scene_of(combined(ObjectKind::difference, {body, other})));
+  for (int ray = 0; ray < k_rays_per_body; ++ray) {
+    try_nothing(random, scene, place, tally);
+  }
+}
+
+Object cube_at(const Placement& placement) {
+  Object cube;
+  cube.kind = ObjectKind::box;
+  cube.size = {2, 2, 2};
+  cube.surface = k_trial_surfaces[0];
+  cube.placement = placement;
+  return cube;
+}
+
+struct TouchTally {
+  int rays = 0;
+  int inner_faces = 0;   ///< rays that see the common face in the union
+  int common_skins = 0;  ///< rays that meet what the boxes have in common
+  int cuts = 0;          ///< rays that meet the one without the other otherwise than the one
+  int slivers = 0;       ///< rays not counted there: what they meet is as short as rounding
+
+  void operator+=(const TouchTally& other) {
+    rays += other.rays;
+    inner_faces += other.inner_faces;
+    common_skins += other.common_skins;
+    cuts += other.cuts;
+    slivers += other.slivers;
+  }
+};
+
+template <class Real>
+void try_touching(Random& random, TouchTally& tally) {
+  const Place place = random_place(random);
+  const Object one = cube_at(place.placement);
+  const Object other = cube_at(concatenated(place.placement, trial::moved({2, 0, 0})));
+  TrialScene<Real> alone(scene_of(one));
+  TrialScene<Real> both(scene_of(combined(ObjectKind::union_of, {one, other})));
+  TrialScene<Real> common(scene_of(combined(ObjectKind::intersection, {one, other})));
+  TrialScene<Real> rest(scene_of(combined(ObjectKind::difference, {one, other})));
+  const Vector3 across = place.placement[0] / glm::length(place.placement[0]);
+  for (int ray = 0; ray < k_rays_per_body; ++ray) {
+    const Vector3 aim = firmware::transform_point(place.placement, Vector3(1, 0, 0)) +
+                        random.in_cube(place.size / 2);
+    const Vector3 direction = random.direction();
+    if (std::fabs(glm::dot(across, direction)) < k_grazing_sine) {
+      continue;
+    }
+    const Vector3 from = origin_of_ray(random, place, aim, direction);
+    const auto query = query_of<Real>(rounded<Real>(from), direction);
+    ++tally.rays;
+    tally.inner_faces += both.crossings(query).count > 2 ? 1 : 0;
+    const Crossings<Real> nothing = common.crossings(query);
+    if (nothing.count > 0) {
+      ++(is_sliver(common, nothing) ? tally.slivers : tally.common_skins);
+    }
+    const Crossings<Real> whole = alone.crossings(query);
+    if (rest.crossings(query).count != whole.count) {
+      ++(is_sliver(alone, whole) ? tally.slivers : tally.cuts);
+    }
+  }
+}
+
+}  // namespace
+
+template <class Real>
+std::vector<StabilityRow> coincident_solid_rows(const SolidFamily& family, int turns) {
+  const auto tally = tally_over<SkinTally>(turns, [&](int turn, SkinTally& sum) {
+    Random random(static_cast<std::uint32_t>(turn) + 6000000);
+    try_without_itself<Real>(random, family, sum);
+  });
+  const std::string subject = family.name + " without itself";
+  return {{k_group, subject, "rays", 1.0 * tally.rays, {}},
+          {k_group, subject, "see a skin", 1.0 * tally.skins, 0},
+          {k_group,
+           subject,
+           "see a skin at less than 3.6 degrees or behind the scene",
+           1.0 * tally.grazing,
+           {}},
+          {k_group, subject, "see a sliver at an edge", 1.0 * tally.slivers, {}}};
+}
+
+template <class Real>
+std::vector<StabilityRow> touching_box_rows(int turns) {
+  const auto tally = tally_over<TouchTally>(turns, [&](int turn, TouchTally& sum) {
+    Random random(static_cast<std::uint32_t>(turn) + 7000000);
+    try_touching<Real>(random, sum);
+  });
+  const char* subject = "boxes with a common face";
+  return {{k_group, subject, "rays steeper than 3.6 degrees", 1.0 * tally.rays, {}},
+          {k_group, subject, "see the face in the union", 1.0 * tally.inner_faces, 0},
+          {k_group, subject, "meet the intersection", 1.0 * tally.common_skins, 0},
+          {k_group, subject, "find the difference cut", 1.0 * tally.cuts, 0},
+          {k_group, subject, "see or miss a sliver at an edge", 1.0 * tally.slivers, {}}};
+}
+
+template std::vector<StabilityRow> coincident_solid_rows<float>(const SolidFamily&, int);
+template std::vector<StabilityRow> coincident_solid_rows<double>(const SolidFamily&, int);
+template std::vector<StabilityRow> touching_box_rows<float>(int);
+template std::vector<StabilityRow> touching_box_rows<double>(int);
+
+}  // namespace maquette::sim

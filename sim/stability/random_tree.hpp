@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/stability/sample_solids.hpp"
+
+namespace maquette::sim {
+
+/// An operator over objects.
+[[nodiscard]] Object combined(ObjectKind combination, std::vector<Object> sons);
+
+/// Solids of all families around a place, within about `spread` of it, of the trial surfaces,
+/// combined at random two by two.
+[[nodiscard]] Object random_tree(trial::Random& random, const std::vector<SolidFamily>& families,
+                                 int solids, const Vector3& center, double spread);
+
+}  // namespace maquette::sim

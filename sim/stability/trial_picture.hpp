@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/description/scene.hpp"
+#include "sim/scene/picture_format.hpp"
+#include "sim/scene/prepared_scene.hpp"
+
+namespace maquette::sim {
+
+/// A picture that the plain firmware makes, without machine and time.
+struct TrialPicture {
+  std::vector<std::uint32_t> pixels;  ///< 0xRRGGBB; 0 where the luminance is no colour
+  int unsound = 0;  ///< pixels with a luminance that is negative, infinite or not a number
+};
+
+/// Every `stride`th pixel of every `stride`th row of a prepared scene.
+template <class Real>
+[[nodiscard]] TrialPicture trial_picture(const PreparedScene<Real>& prepared, int stride = 1);
+
+template <class Real>
+[[nodiscard]] TrialPicture trial_picture(const Scene& scene, const PictureFormat& format) {
+  return trial_picture(PreparedScene<Real>(packed_scene<Real>(scene, format)));
+}
+
+/// The pixels of which a component differs by more than `levels` of 255.
+[[nodiscard]] int differing_pixels(const TrialPicture& a, const TrialPicture& b, int levels);
+
+}  // namespace maquette::sim
