@@ -37,7 +37,7 @@ std::vector<Ray> shadow_rays(const std::vector<float>& parameters, const std::ve
   std::vector<Ray> rays;
   for (const Ray& ray : seen) {
     Vector place =
-        terrain::settle(ray.origin + ray.direction, terrain::k_surface, parameters.data());
+        terrain::settle(ray.origin + ray.direction, terrain::k_surface, parameters.data()).position;
     place.z += 1e-5F;
     rays.push_back({place, to_sun});
   }
