@@ -17,6 +17,8 @@ constexpr const char* k_extreme[] = {"0",     "1e-300", "1e-30", "1e-12", "1e-9"
                                      "-1e-9", "64",     "1e3",   "1e6",   "1e9",  "-1e9", "1e12",
                                      "1e18",  "1e30",   "-1e30", "1e38",  "1e300"};
 constexpr int k_extreme_count = sizeof k_extreme / sizeof k_extreme[0];
+/// Of a scene with many control points about so many numbers are replaced.
+constexpr std::size_t k_most_numbers = 40;
 constexpr PictureFormat k_format{16, 12};
 
 /// Pointers to all scalars below a node that start like a number.
@@ -109,7 +111,8 @@ std::vector<StabilityRow> replaced_value_rows(const std::vector<ShippedScene>& s
     YamlNode root = scenes[static_cast<std::size_t>(number)].written;
     std::vector<YamlNode*> numbers;
     add_numbers(root, numbers);
-    for (std::size_t i = 0; i < numbers.size(); i += static_cast<std::size_t>(stride)) {
+    const std::size_t step = 1 + numbers.size() * static_cast<std::size_t>(stride) / k_most_numbers;
+    for (std::size_t i = 0; i < numbers.size(); i += step) {
       replace<Real>(root, *numbers[i], tally);
     }
   };

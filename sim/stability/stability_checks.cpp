@@ -18,12 +18,12 @@ namespace maquette::sim {
 namespace {
 
 constexpr int k_picture_width = 256;
-constexpr int k_ray_turns = 20000;
+constexpr int k_ray_turns = 4000;
 constexpr int k_tree_turns = 20000;
-constexpr int k_body_turns = 20000;
+constexpr int k_body_turns = 4000;
 constexpr int k_stretched_turns = 5000;
 constexpr int k_generatrix_turns = 4000;
-constexpr int k_replacement_turns = 5000;
+constexpr int k_replacement_turns = 4000;
 
 }  // namespace
 
