@@ -9,8 +9,8 @@ namespace maquette::sim {
 
 /// Solids without themselves, whose faces fall together but for rounding: their placements rounded
 /// otherwise, and round solids turned about their axes. Counts rays that still see a skin, of
-/// `turns` bodies and fifty rays each. A ray that nearly lies in a face may see it, and is counted
-/// apart.
+/// `turns` bodies and fifty rays each. A ray that grazes a face or an edge may see it, and is
+/// counted apart.
 template <class Real>
 [[nodiscard]] std::vector<StabilityRow> coincident_solid_rows(const SolidFamily& family, int turns);
 

@@ -110,16 +110,36 @@ bool meets_again(Trial<Real>& trial, const RayQuery<Real>& query, Real near) {
   return !reference || !meets(*reference, 2 * static_cast<double>(near));
 }
 
-/// Whether a ray into the solid starts outside of it. At an edge, where the reference leaves the
-/// solid as near by, that is right.
+/// Whether the reference is certain that a ray starts inside: moved by what rounding may, it still
+/// does, and leaves the solid no sooner than `near`.
+bool starts_inside(TrialScene<double>& reference, const Vector3& from, const Vector3& direction,
+                   double rounding, double near) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double aside : {-rounding, rounding}) {
+      Vector3 moved = from;
+      moved[axis] += aside;
+      const FirstAhead<double> found = first_ahead(reference, query_of<double>(moved, direction));
+      if (found.before == firmware::k_void || found.crossing.distance < near) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Whether a ray into the solid starts outside of it, and the reference knows better.
 template <class Real>
 bool falls_out(Trial<Real>& trial, const RayQuery<Real>& query, Real near) {
   if (first_ahead(trial.tried, query).before != firmware::k_void) {
     return false;
   }
-  const auto reference = reference_of(trial, query);
-  return !reference || (reference->before != firmware::k_void &&
-                        !(reference->crossing.distance < static_cast<double>(near)));
+  if constexpr (std::is_same_v<Real, double>) {
+    return true;
+  } else {
+    constexpr double k_rounding_share = 0.25 / k_near_clearances;
+    return starts_inside(trial.reference, Vector3(query.ray.origin), Vector3(query.ray.direction),
+                         k_rounding_share * static_cast<double>(near), static_cast<double>(near));
+  }
 }
 
 template <class Real>
