@@ -151,7 +151,7 @@ TEST_CASE("Bad studies are refused before anything is written") {
       {"--vary bus.clok=8MHz,9MHz", R"(--vary bus\.clok=8MHz,9MHz:1:5: .*clok.*`clock`)"},
       {"--vary processors=1..3,999", R"(--vary processors=1\.\.3,999:1:17: .*999)"},
       {"--vary bus.clock=8,9MHz", "1:11: .*`8`.*unit"},
-      {"--vary board.ram=128KiB,16KiB", R"(small\.yaml:\d+:\d+: )"},
+      {"--vary board.ram=128KiB,40KiB", R"(small\.yaml:\d+:\d+: )"},
       {"--vary processors=1..2 --vary processors=4", "varied twice"},
       {"--vary processors=1..2 --set processors=4", "cannot be set too"},
       {"--vary processors=1..2 --plot processors,frame.tim_s", "frame.time_s"},
