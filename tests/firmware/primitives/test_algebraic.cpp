@@ -8,6 +8,7 @@
 #include "firmware/extent.hpp"
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/sphere.hpp"
+#include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware::algebraic {
@@ -240,26 +241,12 @@ Place place_of(const Solid& solid, const Vector<double>& p) {
 template <class Real>
 void check_spans(const Solid& solid, const Ray<double>& ray, double margin) {
   const Hits<Real> found = hits_on<Real>(solid, ray.origin, ray.direction);
-  REQUIRE(found.count % 2 == 0);
   REQUIRE(found.count <= hit_limit(parameters_of<Real>(solid)));
-  for (int i = 1; i < found.count; ++i) {
-    REQUIRE(found.hits[i - 1].distance <= found.hits[i].distance);
-  }
-  const double step = 0.09 / glm::length(ray.direction);
-  const double middle =
-      -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-  for (int i = -20; i <= 20; ++i) {
-    const double t = middle + (i + 0.37) * step;
-    const auto* end = found.hits + found.count;
-    const auto passed = std::count_if(found.hits, end, [&](const Hit<Real>& hit) {
-      return static_cast<double>(hit.distance) < t;
-    });
-    const Place place = place_of(solid, ray.origin + ray.direction * t);
-    if (place.margin > margin) {
-      CAPTURE(i, t, place.margin, found.count);
-      REQUIRE((passed % 2 == 1) == place.is_inside);
-    }
-  }
+  trial::check_spans(found.hits, found.count, ray, trial::samples_around(ray, 20, 0.09), margin,
+                     [&](const Vector<double>& p) {
+                       const Place place = place_of(solid, p);
+                       return place.is_inside ? -place.margin : place.margin;
+                     });
 }
 
 TEMPLATE_TEST_CASE("The spans of a ray are where the polynomial is negative in the cube", "", float,

@@ -9,6 +9,7 @@
 #include "firmware/outline.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/spline.hpp"
+#include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware::prism {
@@ -219,25 +220,11 @@ Ray<double> random_ray(Random& random, const Solid& solid, double far) {
 template <class Real>
 void check_spans(const Solid& solid, const Ray<double>& ray, double margin) {
   const Hits<Real> found = hits_on<Real>(solid, ray.origin, ray.direction);
-  REQUIRE(found.count % 2 == 0);
-  for (int i = 1; i < found.count; ++i) {
-    REQUIRE(found.hits[i - 1].distance <= found.hits[i].distance);
-  }
-  const double step = 0.11 / glm::length(ray.direction);
-  const double middle =
-      -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
-  for (int i = -15; i <= 15; ++i) {
-    const double t = middle + (i + 0.37) * step;
-    const auto* end = found.hits + found.count;
-    const auto passed = std::count_if(found.hits, end, [&](const Hit<Real>& hit) {
-      return static_cast<double>(hit.distance) < t;
-    });
-    const Place place = place_of(solid, ray.origin + ray.direction * t);
-    if (place.distance > margin) {
-      CAPTURE(i, t, place.distance, found.count);
-      REQUIRE((passed % 2 == 1) == place.is_inside);
-    }
-  }
+  trial::check_spans(found.hits, found.count, ray, trial::samples_around(ray, 15, 0.11), margin,
+                     [&](const Vector<double>& p) {
+                       const Place place = place_of(solid, p);
+                       return place.is_inside ? -place.distance : place.distance;
+                     });
 }
 
 TEMPLATE_TEST_CASE("The spans of a ray are what lies inside the outline", "", float, double) {

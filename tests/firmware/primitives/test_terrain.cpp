@@ -8,6 +8,7 @@
 #include "firmware/counted.hpp"
 #include "firmware/extent.hpp"
 #include "firmware/terrain_parameters.hpp"
+#include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware::terrain {
@@ -184,23 +185,9 @@ Ray<double> random_ray(Random& random, const Land& land, double far) {
 template <class Real>
 void check_spans(const Land& land, const Ray<double>& ray, double margin) {
   const Hits<Real> found = hits_on<Real>(land, ray.origin, ray.direction);
-  REQUIRE(found.count % 2 == 0);
-  for (int i = 1; i < found.count; ++i) {
-    REQUIRE(found.hits[i - 1].distance <= found.hits[i].distance);
-  }
   const double step = 0.043 / glm::length(ray.direction);
-  for (int i = 0; i < 90; ++i) {
-    const double t = (i + 0.37) * step;
-    const auto* end = found.hits + found.count;
-    const auto passed = std::count_if(found.hits, end, [&](const Hit<Real>& hit) {
-      return static_cast<double>(hit.distance) < t;
-    });
-    const double outside = outside_by(land, ray.origin + ray.direction * t);
-    if (std::fabs(outside) > margin) {
-      CAPTURE(i, t, outside, found.count);
-      REQUIRE((passed % 2 == 1) == (outside < 0));
-    }
-  }
+  trial::check_spans(found.hits, found.count, ray, {0.37 * step, step, 90}, margin,
+                     [&](const Vector<double>& p) { return outside_by(land, p); });
 }
 
 TEMPLATE_TEST_CASE("The spans of a ray are what lies below the fully expanded surface", "", float,
