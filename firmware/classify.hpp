@@ -101,12 +101,12 @@ std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIn
   const Composite& composite = frame.database.composite(node);
   charge<Real>(Operation::load, 2);
   charge<Real>(Operation::branch, 4);
-  const std::int32_t a_count = cross(frame, query, composite.sons[0], first);
+  const std::int32_t a_count = cross(frame, query, composite.children[0], first);
   const bool is_union = composite.combination == BooleanOperator::union_of;
   if (a_count == 0 && !is_union) {
     return 0;
   }
-  const std::int32_t b_count = cross(frame, query, composite.sons[1], first + a_count);
+  const std::int32_t b_count = cross(frame, query, composite.children[1], first + a_count);
   if (b_count == 0) {
     return composite.combination == BooleanOperator::intersection ? 0 : a_count;
   }

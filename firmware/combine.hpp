@@ -8,7 +8,7 @@
 namespace maquette::firmware {
 
 /// The medium where two bodies overlap: an opaque one hides a transparent one; of two alike the
-/// surface declared first. Commutative and associative, so the order of a union's sons is free.
+/// surface declared first. Commutative and associative, so the order of a union's children is free.
 template <class Real>
 SurfaceIndex united_medium(const Surface<Real>* surfaces, SurfaceIndex a, SurfaceIndex b) {
   charge<Real>(Operation::branch, 3);
@@ -67,7 +67,7 @@ bool coincide(const Prepared<Real>& prepared, const Crossing<Real>& a, const Cro
   charge<Real>(Operation::load, 2);
   const Real coordinates =
       prepared.leaves[a.leaf].scale + prepared.leaves[b.leaf].scale + absolute(a.distance);
-  return apart <= coordinates * spacings<Real>(preprocessing::k_crossing_tolerance);
+  return apart <= coordinates * ulps<Real>(preprocessing::k_crossing_tolerance);
 }
 
 /// Takes the nearer of the operands' next crossings, or both when they coincide, so that coincident

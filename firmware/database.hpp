@@ -8,8 +8,8 @@
 /// The host program lays them out in its own way; the sizes of records.hpp are those of the board.
 namespace maquette::firmware {
 
-/// Leaves are numbered 0 .. leaf_count-1, composites follow; sons have smaller numbers than their
-/// father.
+/// Leaves are numbered 0 .. leaf_count-1, composites follow; children have smaller numbers than
+/// their parent.
 using NodeIndex = std::uint32_t;
 using SurfaceIndex = std::uint16_t;
 
@@ -36,7 +36,7 @@ enum class BooleanOperator : std::uint8_t { union_of, intersection, difference }
 /// A primitive: where it hangs, what it is, its frame and its surface.
 template <class Real>
 struct Leaf {
-  NodeIndex father;
+  NodeIndex parent;
   PrimitiveKind kind;
   SurfaceIndex surface;
   std::uint32_t first_parameter;  ///< into Database::parameters
@@ -45,8 +45,8 @@ struct Leaf {
 };
 
 struct Composite {
-  NodeIndex father;
-  NodeIndex sons[2];
+  NodeIndex parent;
+  NodeIndex children[2];
   BooleanOperator combination;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/elementary.hpp"
+#include "firmware/arithmetic/elementary.hpp"
 #include "firmware/prepared.hpp"
 
 /// The depth that a display with a depth memory gets with each pixel (paper, section VI: 16 bits in

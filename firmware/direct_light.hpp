@@ -37,7 +37,7 @@ View<Real> view_of(const Frame<Real>& frame, const SurfacePoint<Real>& point,
   view.towards = -unit_direction;
   // Rounding may turn a grazing view behind the surface or make a frontal one exceed 1.
   view.cosine =
-      larger(spacings<Real>(1), smaller(constant<Real>(1), glm::dot(point.normal, view.towards)));
+      larger(ulps<Real>(1), smaller(constant<Real>(1), glm::dot(point.normal, view.towards)));
   view.index = relative_index(frame.database, point.before, point.after, point.surface);
   return view;
 }
@@ -60,7 +60,7 @@ template <class Real>
   const Vector<Real> half = normalize(view.towards + to_light);
   const Real one = constant<Real>(1);
   const Real n_h = smaller(one, absolute(glm::dot(point.normal, half)));
-  const Real v_h = larger(spacings<Real>(1), smaller(one, glm::dot(view.towards, half)));
+  const Real v_h = larger(ulps<Real>(1), smaller(one, glm::dot(view.towards, half)));
   return fresnel_factor(surface, v_h, view.index) * facet_term(surface, n_h, view.cosine, n_l, v_h);
 }
 
@@ -81,7 +81,7 @@ template <class Real>
   const Vector<Real> half = normalize(sum);
   const Real n_h = smaller(one, absolute(glm::dot(point.normal, half)));
   const Real v_h = smaller(one, absolute(glm::dot(view.towards, half)));
-  if (!(v_h > spacings<Real>(1))) {
+  if (!(v_h > ulps<Real>(1))) {
     return zero;
   }
   const Real transmitted = one - dielectric_border(v_h, view.index).reflected;

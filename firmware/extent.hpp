@@ -132,7 +132,7 @@ bool meets(const Ray<Real>& ray, Real reach, const Sphere<Real>& sphere) {
   if (along < constant<Real>(0) || along - sphere.radius > reach) {
     return false;
   }
-  // The squares are off by some spacings, which their difference may not lose a body by.
+  // The squares are off by some ulps, which their difference may not lose a body by.
   constexpr double k_rounding = 16 * static_cast<double>(std::numeric_limits<Real>::epsilon());
   return distance_squared * constant<Real>(1 - k_rounding) - along * along <= sphere.radius_squared;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "firmware/arithmetic/elementary.hpp"
 #include "firmware/database.hpp"
-#include "firmware/elementary.hpp"
 
 /// Micro-facets of a rough surface: how their normals scatter (Blinn 1977, the paper's reference
 /// 13) and how they shade one another (Torrance and Sparrow 1967, reference 12). Functions that a

@@ -13,9 +13,9 @@ inline constexpr std::int64_t k_real_bytes = 4;
 inline constexpr std::int64_t k_word_bytes = 2;
 inline constexpr std::int64_t k_affine_bytes = 12 * k_real_bytes;
 
-/// Father, kind, surface, first parameter; direct and inverse transforms.
+/// Parent, kind, surface, first parameter; direct and inverse transforms.
 inline constexpr std::int64_t k_leaf_bytes = 4 * k_word_bytes + 2 * k_affine_bytes;
-/// Father, two sons, operator.
+/// Parent, two children, operator.
 inline constexpr std::int64_t k_composite_bytes = 4 * k_word_bytes;
 inline constexpr std::int64_t k_light_bytes = 6 * k_real_bytes;
 /// Both frames, left, top, step, columns, rows.

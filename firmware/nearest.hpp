@@ -2,7 +2,7 @@
 
 #include "firmware/classify.hpp"
 
-/// Rays against large unions: the nearer son first, and nothing behind the first opaque matter.
+/// Rays against large unions: the nearer child first, and nothing behind the first opaque matter.
 namespace maquette::firmware {
 
 /// Where a ray enters a node's box; far away when it may not meet the node.
@@ -48,18 +48,18 @@ std::int32_t cross_nearest(const Frame<Real>& frame, RayQuery<Real>& query, Node
     shorten(frame, query, first, count);
     return count;
   }
-  const NodeIndex* sons = database.composite(node).sons;
+  const NodeIndex* children = database.composite(node).children;
   charge<Real>(Operation::load, 2);
   charge<Real>(Operation::branch, 5);
-  const Real entries[] = {entry_of(frame, query, sons[0]), entry_of(frame, query, sons[1])};
+  const Real entries[] = {entry_of(frame, query, children[0]), entry_of(frame, query, children[1])};
   const int nearer = entries[1] < entries[0] ? 1 : 0;
   std::int32_t near_count = 0;
   if (entries[nearer] < far) {
-    near_count = cross_nearest(frame, query, sons[nearer], first);
+    near_count = cross_nearest(frame, query, children[nearer], first);
   }
   std::int32_t far_count = 0;
   if (entries[1 - nearer] < far && entries[1 - nearer] <= query.reach) {
-    far_count = cross_nearest(frame, query, sons[1 - nearer], first + near_count);
+    far_count = cross_nearest(frame, query, children[1 - nearer], first + near_count);
   }
   if (near_count == 0 || far_count == 0) {
     return near_count + far_count;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "firmware/arithmetic/elementary.hpp"
 #include "firmware/depth.hpp"
-#include "firmware/elementary.hpp"
 #include "firmware/extent.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 
@@ -11,12 +11,12 @@ namespace maquette::firmware {
 
 namespace preprocessing {
 
-/// Rectangles and extents grow by this many spacings of the number type times the coordinates they
+/// Rectangles and extents grow by this many ulps of the number type times the coordinates they
 /// were computed from: more than the rounding of a transform and a projection.
 inline constexpr double k_extent_margin = 32;
 
-/// Crossings closer than this many spacings times the coordinates they were computed from are one.
-/// Their rounding, of a few spacings across the surface, grows along a ray that grazes it.
+/// Crossings closer than this many ulps times the coordinates they were computed from are one.
+/// Their rounding, of a few ulps across the surface, grows along a ray that grazes it.
 inline constexpr double k_crossing_tolerance = 32;
 
 template <class Real>
@@ -47,7 +47,7 @@ Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& fra
 template <class Real>
 Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real scale,
                     const Observer<Real>& observer) {
-  const Real margin = scale * spacings<Real>(k_extent_margin);
+  const Real margin = scale * ulps<Real>(k_extent_margin);
   Real left = far_away<Real>();
   Real right = -left;
   Real bottom = left;
@@ -71,7 +71,7 @@ Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real 
   const Real one = constant<Real>(1);
   const Real two = constant<Real>(2);
   const Real inverse_step = one / observer.step;
-  const Real widen = one + spacings<Real>(k_extent_margin);
+  const Real widen = one + ulps<Real>(k_extent_margin);
   return {clamped_index(((left - observer.left) * inverse_step) * widen - one, observer.columns),
           clamped_index(((right - observer.left) * inverse_step) * widen + two, observer.columns),
           clamped_index(((observer.top - top) * inverse_step) * widen - one, observer.rows),
@@ -143,7 +143,7 @@ Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
     extent.rectangle = whole_screen(database.observer);
     return extent;
   }
-  const Real margin = prepared.scale * spacings<Real>(k_extent_margin);
+  const Real margin = prepared.scale * ulps<Real>(k_extent_margin);
   const Vector<Real> margins(margin, margin, margin);
   const Vector<Real> center =
       transform_point(prepared.to_screen, (local.low + local.high) * constant<Real>(0.5));
@@ -169,11 +169,12 @@ void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
   for (NodeIndex node = database.leaf_count; node < database.node_count(); ++node) {
     charge<Real>(Operation::loop);
     const Composite& composite = database.composite(node);
-    prepared.extents[node] = combined(composite.combination, prepared.extents[composite.sons[0]],
-                                      prepared.extents[composite.sons[1]]);
+    prepared.extents[node] =
+        combined(composite.combination, prepared.extents[composite.children[0]],
+                 prepared.extents[composite.children[1]]);
   }
   // Inside the scene no distance exceeds four times the largest coordinate.
-  prepared.coarse_tolerance = largest * spacings<Real>(6 * k_crossing_tolerance);
+  prepared.coarse_tolerance = largest * ulps<Real>(6 * k_crossing_tolerance);
 }
 
 template <class Real>

@@ -63,7 +63,7 @@ template <class Real>
   const Vector<Real> out = higher(to_low, to_high);
   const Real entry = larger(in.x, larger(in.y, in.z));
   // Longer by the rounding of the products (Ize, "Robust BVH Ray Traversal", 2013).
-  const Real exit = smaller(out.x, smaller(out.y, out.z)) * (constant<Real>(1) + spacings<Real>(4));
+  const Real exit = smaller(out.x, smaller(out.y, out.z)) * (constant<Real>(1) + ulps<Real>(4));
   const bool is_met = entry <= exit && exit >= constant<Real>(0) && entry <= query.reach;
   return is_met ? entry : far;
 }

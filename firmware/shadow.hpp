@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/elementary.hpp"
+#include "firmware/arithmetic/elementary.hpp"
 #include "firmware/fresnel.hpp"
 #include "firmware/surface_point.hpp"
 
@@ -94,8 +94,8 @@ bool is_stopped(const RayQuery<Real>& query, const Crossing<Real>* crossings, st
 }
 
 /// Attenuates `light` by a node between the origin of the ray and its reach. Returns false when an
-/// opaque body stops it. The sons of a union are looked at one by one unless both hold transparent
-/// bodies, whose overlap only the combination knows.
+/// opaque body stops it. The children of a union are looked at one by one unless both hold
+/// transparent bodies, whose overlap only the combination knows.
 template <class Real>
 [[gnu::noinline]] bool pass_node(const Frame<Real>& frame, const RayQuery<Real>& query,
                                  NodeIndex node, Crossing<Real>* first, Color<Real>& light) {
@@ -105,17 +105,17 @@ template <class Real>
   const bool is_union =
       !database.is_leaf(node) && database.composite(node).combination == BooleanOperator::union_of;
   if (is_union) {
-    const NodeIndex* sons = database.composite(node).sons;
-    const bool first_is_transparent = frame.prepared.extents[sons[0]].transparent;
-    const bool second_is_transparent = frame.prepared.extents[sons[1]].transparent;
+    const NodeIndex* children = database.composite(node).children;
+    const bool first_is_transparent = frame.prepared.extents[children[0]].transparent;
+    const bool second_is_transparent = frame.prepared.extents[children[1]].transparent;
     if (!first_is_transparent || !second_is_transparent) {
       if (!may_meet(frame, query, node)) {
         return true;
       }
-      // The opaque son first: what it stops needs no attenuation.
+      // The opaque child first: what it stops needs no attenuation.
       const int opaque = first_is_transparent ? 1 : 0;
-      return pass_node(frame, query, sons[opaque], first, light) &&
-             pass_node(frame, query, sons[1 - opaque], first, light);
+      return pass_node(frame, query, children[opaque], first, light) &&
+             pass_node(frame, query, children[1 - opaque], first, light);
     }
   }
   const std::int32_t count = cross(frame, query, node, first);

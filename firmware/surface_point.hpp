@@ -54,7 +54,7 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
   // moved, its sign may be wrong.
   charge<Real>(Operation::branch);
   point.normal = crossing.outwards ? -outward : outward;
-  point.clearance = (prepared.scale + magnitude(point.position)) * spacings<Real>(k_clearance);
+  point.clearance = (prepared.scale + magnitude(point.position)) * ulps<Real>(k_clearance);
   point.surface = visible_surface(frame, crossing, before);
   point.before = before;
   point.after = crossing.medium;

@@ -4,7 +4,7 @@
 #include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 
-#include "firmware/real.hpp"
+#include "firmware/arithmetic/real.hpp"
 
 namespace maquette::firmware {
 

@@ -19,7 +19,7 @@ inline constexpr int k_settle_steps = 2;
 /// Spacings below which a gradient is rounding: the point is taken as singular.
 inline constexpr double k_gradient_tolerance = 8;
 
-/// How far beside a singular point its sides are told apart, as a square, in spacings: f is of
+/// How far beside a singular point its sides are told apart, as a square, in ulps: f is of
 /// second order there.
 inline constexpr double k_singular_step_squared = 256;
 
@@ -91,7 +91,7 @@ Vector<Real> into_cube(const Vector<Real>& point) {
 /// At a singular point: of the six directions along the axes the one in which f is greatest.
 template <class Real>
 Vector<Real> singular_normal(const Vector<Real>& point, const Real* parameters) {
-  const Real step = square_root(spacings<Real>(k_singular_step_squared));
+  const Real step = square_root(ulps<Real>(k_singular_step_squared));
   Vector<Real> best = axis_direction<Real>(0);
   Real greatest = -far_away<Real>();
   for (int plane = 0; plane < 6; ++plane) {
@@ -138,7 +138,7 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
     settled = next;
     jet = next_jet;
   }
-  const bool is_regular = magnitude(jet.gradient) > spacings<Real>(k_gradient_tolerance);
+  const bool is_regular = magnitude(jet.gradient) > ulps<Real>(k_gradient_tolerance);
   return {settled, is_regular ? jet.gradient : singular_normal(settled, parameters)};
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "firmware/real_roots.hpp"
+#include "firmware/polynomials/real_roots.hpp"
 #include "firmware/vector.hpp"
 
 /// A polynomial f(x, y, z) of total degree n: n, then the coefficients of x^i y^j z^k in the order

@@ -193,7 +193,7 @@ bool is_thin(const Image<Real>& image, const Side<Real>& along_u, const Side<Rea
     least = i == 0 ? aside : smaller(least, aside);
     most = i == 0 ? aside : larger(most, aside);
   }
-  return most - least <= size_of(along) * spacings<Real>(k_thin_tolerance);
+  return most - least <= size_of(along) * ulps<Real>(k_thin_tolerance);
 }
 
 /// Length of the two inner curves of an image along u (`step` 4) or v (`step` 1): also when they

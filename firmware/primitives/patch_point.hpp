@@ -55,7 +55,7 @@ void step_towards(const PatchPoint<Real>& at, Real& step_u, Real& step_v) {
   const Real v = glm::dot(at.along_v, at.apart);
   const Real determinant = uu * vv - uv * uv;
   charge<Real>(Operation::branch, 3);
-  if (determinant > uu * vv * spacings<Real>(16)) {
+  if (determinant > uu * vv * ulps<Real>(16)) {
     const Real inverse = constant<Real>(1) / determinant;
     step_u = (uv * v - vv * u) * inverse;
     step_v = (uv * u - uu * v) * inverse;
@@ -72,7 +72,7 @@ void descend(const Real* points, const Vector<Real>& target, Place<Real>& place)
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const auto clamped = [&](Real u) { return larger(zero, smaller(u, one)); };
-  const Real enough = spacings<Real>(1);
+  const Real enough = ulps<Real>(1);
   PatchPoint<Real> at = patch_point(points, place.u, place.v, target);
   place.distance_squared = glm::dot(at.apart, at.apart);
   Real step_u;
@@ -119,7 +119,7 @@ Place<Real> nearest_place(const Real* points, const Vector<Real>& target) {
       seed.distance_squared += apart * apart;
     }
   }
-  const Real tolerance = spacings<Real>(k_on_tolerance);
+  const Real tolerance = ulps<Real>(k_on_tolerance);
   Place<Real> best{};
   for (int i = 0; i < k_count; ++i) {
     charge<Real>(Operation::loop);
@@ -160,10 +160,10 @@ Vector<Real> normal_at(const Real* points, Real u, Real v) {
     normal = glm::cross(at.along_u, at.along_v);
     const Real size = length(normal);
     const Real largest = glm::dot(at.along_u, at.along_u) + glm::dot(at.along_v, at.along_v);
-    if (size > largest * spacings<Real>(64)) {
+    if (size > largest * ulps<Real>(64)) {
       return normal * (constant<Real>(1) / size);
     }
-    inwards = attempt == 0 ? square_root(spacings<Real>(1)) : inwards * constant<Real>(16);
+    inwards = attempt == 0 ? square_root(ulps<Real>(1)) : inwards * constant<Real>(16);
   }
   return normal;
 }

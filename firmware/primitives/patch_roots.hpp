@@ -68,9 +68,9 @@ bool approach(const Image<Real>& image, Root<Real>& root) {
     root.u = next_u;
     root.v = next_v;
     // Near the root the next move is to this one as this one's square to that of the last.
-    if (move * move * move <= spacings<Real>(1) * last_move * last_move) {
+    if (move * move * move <= ulps<Real>(1) * last_move * last_move) {
       return !(aside > zero) ||
-             larger(absolute(x.value), absolute(y.value)) <= spacings<Real>(k_root_tolerance);
+             larger(absolute(x.value), absolute(y.value)) <= ulps<Real>(k_root_tolerance);
     }
     last_move = move;
   }
@@ -144,7 +144,7 @@ Range<Real> range_of(const Image<Real>& image, int step, const Side<Real>& acros
   const Real zero = constant<Real>(0);
   Real least[4];
   Real most[4];
-  const Real margin = size_of(across) * spacings<Real>(k_thin_tolerance);
+  const Real margin = size_of(across) * ulps<Real>(k_thin_tolerance);
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) {
       charge<Real>(Operation::loop);

@@ -10,8 +10,9 @@
 /// whether the ray came from behind.
 ///
 /// Parameters: number of patches; 1 for a solid, 0 for a sheet; 1 for the method `roots`, 0 for
-/// `subdivision`; the boxes of a balanced binary tree over the patches, each node before its sons;
-/// the control points, 16 for each patch. The local frame holds the control points in [-1, 1].
+/// `subdivision`; the boxes of a balanced binary tree over the patches, each node before its
+/// children; the control points, 16 for each patch. The local frame holds the control points in
+/// [-1, 1].
 namespace maquette::firmware::patches {
 
 inline constexpr int k_patch_limit = 128;
@@ -107,7 +108,7 @@ Image<Real> image_of(const PlanePair<Real>& planes, const Real* points) {
 /// seen along one of the axes.
 template <class Real>
 bool misses(const PlanePair<Real>& planes, const Real* box) {
-  const Real margin = spacings<Real>(k_box_margin);
+  const Real margin = ulps<Real>(k_box_margin);
   charge<Real>(Operation::load, 6);
   charge<Real>(Operation::branch, 3);
   const Vector<Real>& d = planes.direction;

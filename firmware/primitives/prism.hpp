@@ -13,7 +13,7 @@ namespace maquette::firmware::prism {
 inline constexpr std::uint8_t k_upper_end = k_crossing_limit;
 inline constexpr std::uint8_t k_lower_end = k_upper_end + 1;
 
-/// Rays within so many spacings of parallel to z stay at one point of the plane within the rounding
+/// Rays within so many ulps of parallel to z stay at one point of the plane within the rounding
 /// of their points.
 inline constexpr double k_parallel_tolerance = 4;
 
@@ -58,7 +58,7 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   }
   const Outline<Real> curve = outline(parameters);
   const Real across = larger(absolute(d.x), absolute(d.y));
-  if (across <= absolute(d.z) * spacings<Real>(k_parallel_tolerance)) {
+  if (across <= absolute(d.z) * ulps<Real>(k_parallel_tolerance)) {
     const Real middle = -o.z / d.z;
     return is_inside(curve, o.x + d.x * middle, o.y + d.y * middle, hits) ? hits_of(slab, hits) : 0;
   }

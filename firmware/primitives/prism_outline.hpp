@@ -1,14 +1,14 @@
 #pragma once
 
-#include "firmware/plane_cubic.hpp"
+#include "firmware/polynomials/plane_cubic.hpp"
 #include "firmware/primitives/primitive.hpp"
 
 /// The outline of a prism in the plane of x and y: closed contours of straight and cubic edges,
 /// filled where a line from outside has crossed an odd number of them.
 ///
 /// Parameters: number of straight edges; number of cubic edges; the extents of a balanced binary
-/// tree over the edges, each node before its sons; the two points of every straight edge; the four
-/// of every cubic one. Every edge has the solid on its left.
+/// tree over the edges, each node before its children; the two points of every straight edge; the
+/// four of every cubic one. Every edge has the solid on its left.
 namespace maquette::firmware::prism {
 
 inline constexpr std::ptrdiff_t k_header_reals = 2;

@@ -9,9 +9,9 @@
 /// last disc.
 ///
 /// Parameters: number of sections; 1 if open, 0 if closed; tolerance of the roots that give a ray's
-/// hits, in spacings of the numbers; the extents of a balanced binary tree
-/// over the sections, each node before its sons; the control points, three for each section and the
-/// last.
+/// hits, in ulps; the extents of a balanced binary tree
+/// over the sections, each node before its children; the control points, three for each section and
+/// the last.
 namespace maquette::firmware::revolution {
 
 inline constexpr int k_section_limit = 32;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "firmware/plane_cubic.hpp"
+#include "firmware/polynomials/plane_cubic.hpp"
+#include "firmware/polynomials/real_roots.hpp"
 #include "firmware/primitives/primitive.hpp"
-#include "firmware/real_roots.hpp"
 
 /// One cubic section of a surface of revolution about the z axis: x^2 + y^2 = r(u)^2, z = z(u) for
 /// 0 <= u <= 1 (paper, section IV.2.3).
@@ -11,7 +11,7 @@ namespace maquette::firmware::revolution {
 /// Degree of a section's equation: the most hits that it gives.
 inline constexpr int k_section_degree = 6;
 
-/// Rays whose direction is within so many spacings of perpendicular to the axis stay at one height
+/// Rays whose direction is within so many ulps of perpendicular to the axis stay at one height
 /// within the rounding of their points.
 inline constexpr double k_level_tolerance = 4;
 
@@ -26,8 +26,8 @@ struct AxialRay {
   Real slope;
   Real way;
   Real across;
-  Real passing;                             ///< distance from the axis to the line
-  Real root_tolerance = spacings<Real>(1);  ///< of the parameters u of its hits
+  Real passing;                         ///< distance from the axis to the line
+  Real root_tolerance = ulps<Real>(1);  ///< of the parameters u of its hits
 
   /// In lengths of the ray's direction.
   [[nodiscard]] Real distance(Real s) const { return (base + s) * inverse_length; }
@@ -41,9 +41,7 @@ struct AxialRay {
     const Real at = scaled_way(z);
     return at * at - inner(r) * outer(r);
   }
-  [[nodiscard]] bool is_level() const {
-    return absolute(slope) <= spacings<Real>(k_level_tolerance);
-  }
+  [[nodiscard]] bool is_level() const { return absolute(slope) <= ulps<Real>(k_level_tolerance); }
 };
 
 template <class Real>

@@ -18,7 +18,7 @@ inline constexpr std::uint8_t k_floor = 5;
 inline constexpr int k_hit_limit = 64;
 static_assert(k_hit_limit <= k_primitive_hit_limit);
 
-/// A secondary ray that starts below the surface by no more than this many spacings and rises above
+/// A secondary ray that starts below the surface by no more than this many ulps and rises above
 /// it within the first triangle has left it.
 inline constexpr double k_departure = 256;
 
@@ -43,7 +43,7 @@ struct Walk {
 template <class Real>
 Real inverse_of(Real change) {
   charge<Real>(Operation::branch);
-  return absolute(change) > spacings<Real>(1) ? constant<Real>(1) / change : constant<Real>(0);
+  return absolute(change) > ulps<Real>(1) ? constant<Real>(1) / change : constant<Real>(0);
 }
 
 /// Takes note that from s on the ray is on a side of the surface.
@@ -91,7 +91,7 @@ bool departs(const Triangle<Real>& triangle, const Sample<Real>& from, const Sam
   const Real steep =
       absolute(triangle.corner - triangle.first) + absolute(triangle.last - triangle.corner);
   const Real slope = constant<Real>(1) + steep * from_integer<Real>(1 << triangle.level);
-  return from.above > -slope * spacings<Real>(k_departure);
+  return from.above > -slope * ulps<Real>(k_departure);
 }
 
 /// The part of the way over a finest triangle that it may cross.
@@ -182,12 +182,12 @@ void follow_over(Walk<Real>& walk, const Triangle<Real>& triangle, const Sample<
   for (int i = 0; i < way.count; ++i) {
     charge<Real>(Operation::loop);
     const Real inside = (way.s[i] + way.s[i + 1]) * half;
-    const Triangle<Real> son = quarter(triangle, middle, cell_point(walk, triangle, inside));
+    const Triangle<Real> child = quarter(triangle, middle, cell_point(walk, triangle, inside));
     if (i == 0) {
-      begin = sample(walk, son, from.s);
+      begin = sample(walk, child, from.s);
     }
-    const Sample<Real> end = sample(walk, son, way.s[i + 1]);
-    follow_over(walk, son, begin, end);
+    const Sample<Real> end = sample(walk, child, way.s[i + 1]);
+    follow_over(walk, child, begin, end);
     begin = end;
   }
 }

@@ -120,8 +120,8 @@ struct Midpoints {
 };
 
 /// Height in the middle of an edge. The displacement depends on the seed and the place only, so it
-/// is the same from both sides and whatever levels follow. The mixing is charged as turns of a loop
-/// that take as long: three for each of its seven lines.
+/// is the same from both sides and whatever levels follow. The mixing is charged as iterations of a
+/// loop that take as long: three for each of its seven lines.
 template <class Real>
 Real midpoint(const Relief<Real>& relief, const Triangle<Real>& triangle, std::int32_t along,
               std::int32_t across, Real from, Real to) {

@@ -47,25 +47,25 @@ std::string text_of(const Json& json) {
 
 }  // namespace
 
-std::string error_json(const std::string& scene, const std::vector<RungResult>& results) {
+std::string error_json(const std::string& scene, const std::vector<LadderResult>& results) {
   const Table table = error_table(results);
-  Json rungs = Json::array();
+  Json ladders = Json::array();
   std::size_t row = 0;
-  for (const RungResult& result : results) {
+  for (const LadderResult& result : results) {
     Json levels = Json::array();
     for (const LevelResult& level : result.levels) {
       levels.push_back(object_of(table, row++));
       levels.back()["boards"] = boards_of(level);
     }
-    rungs.push_back({{"name", result.rung.name},
-                     {"varies", result.rung.varies},
-                     {"reference", result.rung.reference_name()},
-                     {"levels", levels}});
+    ladders.push_back({{"name", result.ladder.name},
+                       {"varies", result.ladder.varies},
+                       {"reference", result.ladder.reference_name()},
+                       {"levels", levels}});
   }
-  return text_of({{"scene", scene}, {"rungs", rungs}});
+  return text_of({{"scene", scene}, {"ladders", ladders}});
 }
 
-std::string host_time_json(const std::vector<RungResult>& results) {
+std::string host_time_json(const std::vector<LadderResult>& results) {
   const Table table = host_time_table(results);
   Json levels = Json::array();
   for (std::size_t row = 0; row < table.rows.size(); ++row) {

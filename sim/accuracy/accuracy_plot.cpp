@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/plot/gnuplot.hpp"
 #include "sim/report/seconds.hpp"
-#include "sim/sweep/gnuplot.hpp"
 
 namespace maquette::sim {
 
@@ -24,7 +24,7 @@ struct Mark {
 };
 
 /// A decade below the least error that is not zero.
-double floor_of(const RungResult& result) {
+double floor_of(const LadderResult& result) {
   double least = std::numeric_limits<double>::infinity();
   for (const LevelResult& level : result.levels) {
     if (level.magnitude > 0) {
@@ -34,19 +34,19 @@ double floor_of(const RungResult& result) {
   return std::isfinite(least) ? std::pow(10, std::floor(std::log10(least)) - 1) : 1e-3;
 }
 
-std::string settings_of(const RungResult& result, double floor, const char* x_label) {
-  const bool is_time = result.rung.measure == ErrorMeasure::frame_time;
+std::string settings_of(const LadderResult& result, double floor, const char* x_label) {
+  const bool is_time = result.ladder.measure == ErrorMeasure::frame_time;
   return fmt::format(
       "set title {}\nset xlabel {}\nset ylabel {}\nset logscale y\nset format y '%g'\n"
       "set ytics add ('0' {})\nset yrange [{}:*]\nset autoscale xfix\n"
       "set offsets graph 0.04, graph 0.16, graph 0.06, 0\n"
       "set bmargin 6\nset key horizontal center bottom at screen 0.5, 0.02\n",
-      gnuplot_text(fmt::format("{}: {}", result.rung.name, result.rung.varies)),
+      gnuplot_text(fmt::format("{}: {}", result.ladder.name, result.ladder.varies)),
       gnuplot_text(x_label),
       gnuplot_text(fmt::format("{}, against {}",
                                is_time ? "error of the frame time, relative"
                                        : "mean error of the picture, levels of 255",
-                               result.rung.reference_name())),
+                               result.ladder.reference_name())),
       floor, floor / 2);
 }
 
@@ -94,21 +94,21 @@ std::string script_of(const std::string& name, std::string settings,
   return gnuplot_script(name, settings, curves);
 }
 
-std::vector<Mark> marks_over_host_time(const RungResult& result, double floor) {
+std::vector<Mark> marks_over_host_time(const LadderResult& result, double floor) {
   std::vector<Mark> marks;
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     const LevelResult& level = result.levels[i];
-    marks.push_back({result.rung.levels[i].name,
+    marks.push_back({result.ladder.levels[i].name,
                      {level.host.median_s, std::max(level.magnitude, floor)},
                      level.host.least_s,
                      level.host.most_s,
                      level.is_on_host_front,
-                     i == result.rung.reference});
+                     i == result.ladder.reference});
   }
   return marks;
 }
 
-std::vector<Mark> marks_over_simulated_time(const RungResult& result, double floor) {
+std::vector<Mark> marks_over_simulated_time(const LadderResult& result, double floor) {
   std::vector<Mark> marks = marks_over_host_time(result, floor);
   for (std::size_t i = 0; i < marks.size(); ++i) {
     const LevelResult& level = result.levels[i];
@@ -118,25 +118,25 @@ std::vector<Mark> marks_over_simulated_time(const RungResult& result, double flo
   return marks;
 }
 
-bool is_simulated(const RungResult& result) {
+bool is_simulated(const LadderResult& result) {
   return std::all_of(result.levels.begin(), result.levels.end(),
                      [](const LevelResult& level) { return level.simulated.has_value(); });
 }
 
 }  // namespace
 
-std::vector<AccuracyPlot> accuracy_plots(const std::vector<RungResult>& results) {
+std::vector<AccuracyPlot> accuracy_plots(const std::vector<LadderResult>& results) {
   std::vector<AccuracyPlot> plots;
-  for (const RungResult& result : results) {
+  for (const LadderResult& result : results) {
     const double floor = floor_of(result);
-    const std::string over_host = result.rung.name + "-over-host-time";
+    const std::string over_host = result.ladder.name + "-over-host-time";
     plots.push_back({over_host, script_of(over_host,
                                           settings_of(result, floor,
                                                       "processor time on the host [s]: median, "
                                                       "least and most"),
                                           marks_over_host_time(result, floor))});
     if (is_simulated(result)) {
-      const std::string over_simulated = result.rung.name + "-over-simulated-time";
+      const std::string over_simulated = result.ladder.name + "-over-simulated-time";
       plots.push_back(
           {over_simulated,
            script_of(over_simulated, settings_of(result, floor, "simulated frame time [s]"),

@@ -34,15 +34,15 @@ std::string line_of(const std::string& name, const LevelResult& level) {
 
 }  // namespace
 
-std::string accuracy_report(const std::vector<RungResult>& results) {
+std::string accuracy_report(const std::vector<LadderResult>& results) {
   std::string text = fmt::format("  {:<20}{:>11}  {:<3}{:>14}{:>12}{:>12}{:>12}{:>10}{:>9}{:>9}\n",
                                  "level", "host time", "on", "frame time", "error", "wait err s",
                                  "wait error", "levels", "largest", "pixels");
-  for (const RungResult& result : results) {
-    text += fmt::format("{}: {}; reference: {}\n", result.rung.name, result.rung.varies,
-                        result.rung.reference_name());
+  for (const LadderResult& result : results) {
+    text += fmt::format("{}: {}; reference: {}\n", result.ladder.name, result.ladder.varies,
+                        result.ladder.reference_name());
     for (std::size_t i = 0; i < result.levels.size(); ++i) {
-      text += line_of(result.rung.levels[i].name, result.levels[i]);
+      text += line_of(result.ladder.levels[i].name, result.levels[i]);
     }
   }
   return text +

@@ -36,20 +36,20 @@ std::vector<std::string> time_cells(const LevelResult& level) {
 
 std::string mark_of(bool is_on_front) { return is_on_front ? "front" : ""; }
 
-/// Calls `add` with each rung's result and each of its levels' numbers.
+/// Calls `add` with each ladder's result and each of its levels' numbers.
 template <class Add>
-void for_each_level(const std::vector<RungResult>& results, Add add) {
-  for (const RungResult& result : results) {
+void for_each_level(const std::vector<LadderResult>& results, Add add) {
+  for (const LadderResult& result : results) {
     for (std::size_t level = 0; level < result.levels.size(); ++level) {
-      add(result.rung, result.rung.levels[level].name, result.levels[level]);
+      add(result.ladder, result.ladder.levels[level].name, result.levels[level]);
     }
   }
 }
 
 }  // namespace
 
-Table error_table(const std::vector<RungResult>& results) {
-  Table table{{{"rung", "", ""},
+Table error_table(const std::vector<LadderResult>& results) {
+  Table table{{{"ladder", "", ""},
                {"level", "", ""},
                {"reference", "", "level that it is held against"},
                {"frame_time_s", "s", "simulated"},
@@ -60,12 +60,12 @@ Table error_table(const std::vector<RungResult>& results) {
                {"picture_largest", "levels", "largest difference of a channel"},
                {"picture_mean", "levels", "mean difference"},
                {"pixels_off", "pixels", "by more than one level"},
-               {"error", "", "that the rung is judged by"},
+               {"error", "", "that the ladder is judged by"},
                {"simulated_front", "", "on the Pareto front of error and frame time"}},
               {}};
   for_each_level(
-      results, [&table](const Rung& rung, const std::string& name, const LevelResult& level) {
-        std::vector<std::string> row = {rung.name, name, rung.reference_name()};
+      results, [&table](const Ladder& ladder, const std::string& name, const LevelResult& level) {
+        std::vector<std::string> row = {ladder.name, name, ladder.reference_name()};
         const std::vector<std::string> times = time_cells(level);
         row.insert(row.end(), times.begin(), times.end());
         const PictureError& picture = level.error.picture;
@@ -78,19 +78,19 @@ Table error_table(const std::vector<RungResult>& results) {
   return table;
 }
 
-Table host_time_table(const std::vector<RungResult>& results) {
-  Table table{{{"rung", "", ""},
+Table host_time_table(const std::vector<LadderResult>& results) {
+  Table table{{{"ladder", "", ""},
                {"level", "", ""},
                {"host_time_s", "s", "processor time of one thread, median"},
                {"host_time_least_s", "s", ""},
                {"host_time_most_s", "s", ""},
                {"repeats", "", ""},
-               {"error", "", "that the rung is judged by"},
+               {"error", "", "that the ladder is judged by"},
                {"host_front", "", "on the Pareto front of error and host time"}},
               {}};
   for_each_level(
-      results, [&table](const Rung& rung, const std::string& name, const LevelResult& level) {
-        table.rows.push_back({rung.name, name, fmt::format("{:.4f}", level.host.median_s),
+      results, [&table](const Ladder& ladder, const std::string& name, const LevelResult& level) {
+        table.rows.push_back({ladder.name, name, fmt::format("{:.4f}", level.host.median_s),
                               fmt::format("{:.4f}", level.host.least_s),
                               fmt::format("{:.4f}", level.host.most_s),
                               fmt::format("{}", level.host.repeats),

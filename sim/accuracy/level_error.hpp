@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "models/duration.hpp"
+#include "models/bus/duration.hpp"
+#include "sim/accuracy/ladder.hpp"
 #include "sim/accuracy/level_outcome.hpp"
-#include "sim/accuracy/rung.hpp"
 
 namespace maquette::sim {
 
@@ -38,7 +38,7 @@ struct LevelError {
 /// The errors of an outcome, for a reference with as many boards and pixels.
 [[nodiscard]] LevelError error_of(const LevelOutcome& outcome, const LevelOutcome& reference);
 
-/// The one number, zero or above, that a rung judges its levels by; infinite when it has none.
+/// The one number, zero or above, that a ladder judges its levels by; infinite when it has none.
 [[nodiscard]] double magnitude_of(const LevelError& error, ErrorMeasure measure);
 
 }  // namespace maquette::sim

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "models/duration.hpp"
-#include "models/picture.hpp"
+#include "models/bus/duration.hpp"
+#include "models/display/picture.hpp"
 
 namespace maquette::sim {
 

@@ -11,14 +11,14 @@
 #include "sim/accuracy/accuracy_plot.hpp"
 #include "sim/accuracy/accuracy_report.hpp"
 #include "sim/accuracy/accuracy_tables.hpp"
-#include "sim/accuracy/rungs.hpp"
+#include "sim/accuracy/ladders.hpp"
+#include "sim/accuracy/level_run.hpp"
 #include "sim/command_line/common_options.hpp"
+#include "sim/plot/gnuplot.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/run/interruption.hpp"
-#include "sim/run/level_run.hpp"
 #include "sim/run/simulation.hpp"
-#include "sim/sweep/gnuplot.hpp"
 
 namespace maquette::sim {
 
@@ -27,7 +27,7 @@ namespace {
 struct AccuracyOptions {
   CommonOptions common;
   std::string outdir;
-  std::vector<std::string> rungs;
+  std::vector<std::string> ladders;
   std::vector<std::string> quanta = default_quanta();
   int repeats = 3;
   bool quiet = false;
@@ -38,8 +38,8 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
   verb.add_option("--outdir", options.outdir,
                   "directory of the results (default: runs/NAME-OF-SCENE-accuracy)")
       ->type_name("DIR");
-  verb.add_option("--rung", options.rungs, "only this rung (repeatable; default: all)")
-      ->check(CLI::IsMember(rung_names()))
+  verb.add_option("--ladder", options.ladders, "only this ladder (repeatable; default: all)")
+      ->check(CLI::IsMember(ladder_names()))
       ->expected(1)
       ->take_all();
   verb.add_option("--quantum", options.quanta,
@@ -57,42 +57,43 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
       "plots over host time alone.");
 }
 
-std::vector<Rung> wanted_rungs(const AccuracyOptions& options, const Scene& scene) {
-  std::vector<Rung> rungs = rungs_of(scene, options.quanta);
-  if (!options.rungs.empty()) {
-    rungs.erase(std::remove_if(rungs.begin(), rungs.end(),
-                               [&options](const Rung& rung) {
-                                 return std::find(options.rungs.begin(), options.rungs.end(),
-                                                  rung.name) == options.rungs.end();
-                               }),
-                rungs.end());
+std::vector<Ladder> wanted_ladders(const AccuracyOptions& options, const Scene& scene) {
+  std::vector<Ladder> ladders = ladders_of(scene, options.quanta);
+  if (!options.ladders.empty()) {
+    ladders.erase(std::remove_if(ladders.begin(), ladders.end(),
+                                 [&options](const Ladder& ladder) {
+                                   return std::find(options.ladders.begin(), options.ladders.end(),
+                                                    ladder.name) == options.ladders.end();
+                                 }),
+                  ladders.end());
   }
-  return rungs;
+  return ladders;
 }
 
-/// The levels of all rungs, one after another, each checked.
-std::vector<LevelTask> tasks_of(const std::vector<Rung>& rungs, const DescriptionSources& sources) {
+/// The levels of all ladders, one after another, each checked.
+std::vector<LevelTask> tasks_of(const std::vector<Ladder>& ladders,
+                                const DescriptionSources& sources) {
   std::vector<LevelTask> tasks;
-  for (const Rung& rung : rungs) {
-    for (const Level& level : rung.levels) {
+  for (const Ladder& ladder : ladders) {
+    for (const Level& level : ladder.levels) {
       DescriptionSources own = sources;
       own.overrides.insert(own.overrides.end(), level.overrides.begin(), level.overrides.end());
       Description description = load_description(own);
       check_fit(description.scene, description.machine);
-      tasks.push_back({rung.name + ", " + level.name, level.kind, std::move(description.scene),
+      tasks.push_back({ladder.name + ", " + level.name, level.kind, std::move(description.scene),
                        std::move(description.machine)});
     }
   }
   return tasks;
 }
 
-std::vector<RungResult> results_of(const std::vector<Rung>& rungs,
-                                   const std::vector<std::vector<LevelOutcome>>& outcomes) {
-  std::vector<RungResult> results;
+std::vector<LadderResult> results_of(const std::vector<Ladder>& ladders,
+                                     const std::vector<std::vector<LevelOutcome>>& outcomes) {
+  std::vector<LadderResult> results;
   auto first = outcomes.begin();
-  for (const Rung& rung : rungs) {
-    const auto last = first + static_cast<std::ptrdiff_t>(rung.levels.size());
-    results.push_back(result_of(rung, {first, last}));
+  for (const Ladder& ladder : ladders) {
+    const auto last = first + static_cast<std::ptrdiff_t>(ladder.levels.size());
+    results.push_back(result_of(ladder, {first, last}));
     first = last;
   }
   return results;
@@ -102,8 +103,8 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
   const auto start = std::chrono::steady_clock::now();
   const DescriptionSources sources = sources_of(options.common);
   const Description description = load_description(sources);
-  const std::vector<Rung> rungs = wanted_rungs(options, description.scene);
-  const std::vector<LevelTask> tasks = tasks_of(rungs, sources);
+  const std::vector<Ladder> ladders = wanted_ladders(options, description.scene);
+  const std::vector<LevelTask> tasks = tasks_of(ladders, sources);
   const std::filesystem::path directory =
       options.outdir.empty()
           ? std::filesystem::path("runs") / (description.scene.name + "-accuracy")
@@ -123,7 +124,7 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
     return k_exit_interrupted;
   }
 
-  const std::vector<RungResult> results = results_of(rungs, outcomes);
+  const std::vector<LadderResult> results = results_of(ladders, outcomes);
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
   write_files(directory,
               {{"accuracy.csv", table_csv(error_table(results))},

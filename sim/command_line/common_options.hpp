@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/description_loader.hpp"
 #include "sim/report/manifest.hpp"
+#include "sim/scene/description_loader.hpp"
 
 namespace maquette::sim {
 

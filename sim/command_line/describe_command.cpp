@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "sim/command_line/common_options.hpp"
-#include "sim/report/scene_report.hpp"
+#include "sim/database/scene_report.hpp"
 #include "sim/report/statistics_description.hpp"
 
 namespace maquette::sim {

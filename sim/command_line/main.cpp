@@ -11,7 +11,7 @@
 #include "sim/command_line/run_command.hpp"
 #include "sim/command_line/stability_command.hpp"
 #include "sim/command_line/sweep_command.hpp"
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace {
 

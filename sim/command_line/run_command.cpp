@@ -10,8 +10,7 @@
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
-#include "sim/description/description_error.hpp"
-#include "sim/description/quantity.hpp"
+#include "sim/fields/quantity.hpp"
 #include "sim/report/image_file.hpp"
 #include "sim/report/manifest.hpp"
 #include "sim/report/progress.hpp"
@@ -24,6 +23,7 @@
 #include "sim/run/simulation.hpp"
 #include "sim/trace/trace_files.hpp"
 #include "sim/trace/trace_request.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

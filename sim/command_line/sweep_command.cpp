@@ -11,15 +11,15 @@
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
-#include "sim/description/description_error.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/run/interruption.hpp"
-#include "sim/run/study_run.hpp"
 #include "sim/sweep/point_selection.hpp"
 #include "sim/sweep/study_description.hpp"
 #include "sim/sweep/study_results.hpp"
+#include "sim/sweep/study_run.hpp"
 #include "sim/sweep/study_table.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "sim/description/description_error.hpp"
 #include "sim/picture_module/exr_codec.hpp"
 #include "sim/report/picture_module.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "firmware_version.hpp"
+#include "sim/database/database_image.hpp"
 #include "sim/report/digest.hpp"
-#include "sim/scene/database_image.hpp"
 
 namespace maquette::sim {
 

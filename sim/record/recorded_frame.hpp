@@ -3,11 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "firmware/arithmetic/work.hpp"
 #include "firmware/database.hpp"
-#include "firmware/work.hpp"
-#include "models/allotment.hpp"
-#include "models/pixel_source.hpp"
-#include "sim/scene/packed_scene.hpp"
+#include "models/board/allotment.hpp"
+#include "models/board/pixel_source.hpp"
+#include "sim/database/packed_scene.hpp"
 
 namespace maquette::sim {
 

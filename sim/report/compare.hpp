@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "models/picture.hpp"
+#include "models/display/picture.hpp"
 #include "sim/report/flat_json.hpp"
 
 namespace maquette::sim {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

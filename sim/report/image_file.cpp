@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "sim/description/description_error.hpp"
 #include "sim/picture_module/png_codec.hpp"
 #include "sim/report/picture_module.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

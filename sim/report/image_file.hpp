@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "models/picture.hpp"
+#include "models/display/picture.hpp"
 
 namespace maquette::sim {
 

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <string>
 
-#include "models/duration.hpp"
+#include "models/bus/duration.hpp"
 
 namespace maquette::sim {
 

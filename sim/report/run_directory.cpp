@@ -8,7 +8,7 @@
 #include <iterator>
 #include <system_error>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

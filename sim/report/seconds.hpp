@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "models/duration.hpp"
+#include "models/bus/duration.hpp"
 
 namespace maquette::sim {
 

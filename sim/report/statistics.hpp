@@ -7,8 +7,8 @@
 #include <type_traits>
 #include <vector>
 
-#include "firmware/work.hpp"
-#include "models/duration.hpp"
+#include "firmware/arithmetic/work.hpp"
+#include "models/bus/duration.hpp"
 
 namespace maquette::sim {
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "sim/description/description_error.hpp"
 #include "sim/report/seconds.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

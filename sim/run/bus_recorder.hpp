@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/ccett_machine.hpp"
+#include "models/machine/ccett_machine.hpp"
 #include "sim/trace/bus_record.hpp"
 
 namespace maquette::sim {

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "firmware/counted.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "firmware/synthesize.hpp"
-#include "models/allotment.hpp"
-#include "models/pixel_source.hpp"
+#include "models/board/allotment.hpp"
+#include "models/board/pixel_source.hpp"
 
 namespace maquette::sim {
 

@@ -7,11 +7,11 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/counted.hpp"
-#include "models/allotment.hpp"
-#include "models/pixel_source.hpp"
-#include "sim/description/machine.hpp"
-#include "sim/scene/prepared_scene.hpp"
+#include "firmware/arithmetic/counted.hpp"
+#include "models/board/allotment.hpp"
+#include "models/board/pixel_source.hpp"
+#include "sim/database/prepared_scene.hpp"
+#include "sim/machine/machine.hpp"
 
 namespace maquette::sim {
 

@@ -5,8 +5,8 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include "sim/database/prepared_scene.hpp"
 #include "sim/run/counted_pixel.hpp"
-#include "sim/scene/prepared_scene.hpp"
 
 namespace maquette::sim {
 

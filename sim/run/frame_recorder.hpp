@@ -1,8 +1,8 @@
 #pragma once
 
-#include "firmware/counted.hpp"
-#include "sim/description/scene.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "sim/record/recorded_frame.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
 

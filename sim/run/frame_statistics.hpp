@@ -1,9 +1,9 @@
 #pragma once
 
-#include "firmware/work.hpp"
-#include "models/allotment.hpp"
-#include "models/ccett_machine.hpp"
-#include "sim/description/machine.hpp"
+#include "firmware/arithmetic/work.hpp"
+#include "models/board/allotment.hpp"
+#include "models/machine/ccett_machine.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/report/statistics.hpp"
 
 namespace maquette::sim {

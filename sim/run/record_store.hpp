@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "sim/description/machine.hpp"
-#include "sim/description/scene.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "models/allotment.hpp"
-#include "models/pixel_source.hpp"
-#include "sim/description/machine.hpp"
+#include "models/board/allotment.hpp"
+#include "models/board/pixel_source.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
 
 namespace maquette::sim {

@@ -4,17 +4,17 @@
 #include <memory>
 #include <systemc>
 
-#include "models/ccett_machine.hpp"
-#include "models/kernel_time.hpp"
-#include "models/video_reader.hpp"
-#include "models/work_cost.hpp"
-#include "sim/description/description_error.hpp"
+#include "models/board/work_cost.hpp"
+#include "models/bus/kernel_time.hpp"
+#include "models/display/video_reader.hpp"
+#include "models/machine/ccett_machine.hpp"
+#include "sim/database/database_image.hpp"
+#include "sim/database/memory_map.hpp"
 #include "sim/run/bus_recorder.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/recorded_source.hpp"
-#include "sim/scene/database_image.hpp"
-#include "sim/scene/memory_map.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

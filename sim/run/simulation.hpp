@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "models/picture.hpp"
-#include "sim/description/machine.hpp"
-#include "sim/description/scene.hpp"
+#include "models/display/picture.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/trace/bus_record.hpp"
 
 namespace maquette::sim {

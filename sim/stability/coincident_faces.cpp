@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/description/placement.hpp"
-#include "sim/scene/local_frame.hpp"
+#include "sim/database/local_frame.hpp"
+#include "sim/scene/placement.hpp"
 #include "sim/stability/random_tree.hpp"
 #include "sim/stability/tally.hpp"
 #include "sim/stability/trial_scene.hpp"
@@ -21,12 +21,12 @@ constexpr const char* k_group = "csg";
 constexpr int k_rays_per_body = 50;
 constexpr double k_pi = firmware::elementary::k_pi;
 /// Spacings by which elements of a placement are rounded otherwise.
-constexpr double k_spacings = 1;
+constexpr double k_ulps = 1;
 /// The sine of the angle, 3.6 degrees, below which a ray may see both of two coincident faces. They
-/// are apart by a spacing of their coordinates for the placement and one for the arithmetic of the
-/// ray, along the ray by that over the sine, and crossings within k_crossing_tolerance spacings are
+/// are apart by an ulp of their coordinates for the placement and one for the arithmetic of the
+/// ray, along the ray by that over the sine, and crossings within k_crossing_tolerance ulps are
 /// taken as one.
-constexpr double k_grazing_sine = (k_spacings + 1) / firmware::preprocessing::k_crossing_tolerance;
+constexpr double k_grazing_sine = (k_ulps + 1) / firmware::preprocessing::k_crossing_tolerance;
 
 /// The share of rays that may see a skin although their neighbours give no reason: rounding that
 /// adds up to more than is expected.
@@ -57,20 +57,20 @@ Place random_place(Random& random) {
   return {size, center, random.placement(center, size, 3)};
 }
 
-/// Elements off by up to a spacing of the number type.
+/// Elements off by up to an ulp of the number type.
 template <class Real>
 Placement rounded_otherwise(Random& random, Placement placement) {
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
       placement[column][row] *=
-          1 + random.uniform(-k_spacings, k_spacings) * std::numeric_limits<Real>::epsilon();
+          1 + random.uniform(-k_ulps, k_ulps) * std::numeric_limits<Real>::epsilon();
     }
   }
   return placement;
 }
 
-/// A turn about z that maps every solid of a primitive onto itself; 0 where there is none.
-double own_turn(Random& random, PrimitiveKind kind) {
+/// A rotation about z that maps every solid of a primitive onto itself; 0 where there is none.
+double own_rotation(Random& random, PrimitiveKind kind) {
   switch (kind) {
     case PrimitiveKind::box:
       return k_pi / 2;
@@ -111,7 +111,7 @@ bool is_certain(TrialScene<Real>& body, const Vector3& from, const Vector3& dire
   const std::vector<firmware::Crossing<Real>> expected(found.begin(), found.end());
   const auto scale = static_cast<double>(body.frame().prepared.leaves[0].scale);
   const double rounding =
-      (k_spacings + 1) * std::numeric_limits<Real>::epsilon() * (scale + firmware::magnitude(from));
+      (k_ulps + 1) * std::numeric_limits<Real>::epsilon() * (scale + firmware::magnitude(from));
   for (int axis = 0; axis < 3; ++axis) {
     for (const double aside : {-rounding, rounding}) {
       Vector3 moved = from;
@@ -147,9 +147,9 @@ void try_without_itself(Random& random, const SolidFamily& family, SkinTally& ta
   const Place place = random_place(random);
   const Object body = random_solid(random, family, place.placement);
   Object other = body;
-  const double turn = own_turn(random, family.kind);
-  if (turn != 0 && random.coin()) {
-    const Placement turned = concatenated(place.placement, trial::turned({0, 0, 1}, turn));
+  const double angle = own_rotation(random, family.kind);
+  if (angle != 0 && random.coin()) {
+    const Placement turned = concatenated(place.placement, trial::turned({0, 0, 1}, angle));
     other.placement =
         concatenated(turned, concatenated(inverse_of(place.placement), body.placement));
   } else {
@@ -222,9 +222,9 @@ void try_touching(Random& random, TouchTally& tally) {
 }  // namespace
 
 template <class Real>
-std::vector<StabilityRow> coincident_solid_rows(const SolidFamily& family, int turns) {
-  const auto tally = tally_over<SkinTally>(turns, [&](int turn, SkinTally& sum) {
-    Random random(static_cast<std::uint32_t>(turn) + 6000000);
+std::vector<StabilityRow> coincident_solid_rows(const SolidFamily& family, int trials) {
+  const auto tally = tally_over<SkinTally>(trials, [&](int number, SkinTally& sum) {
+    Random random(static_cast<std::uint32_t>(number) + 6000000);
     try_without_itself<Real>(random, family, sum);
   });
   const std::string subject = family.name + " without itself";
@@ -234,9 +234,9 @@ std::vector<StabilityRow> coincident_solid_rows(const SolidFamily& family, int t
 }
 
 template <class Real>
-std::vector<StabilityRow> touching_box_rows(int turns) {
-  const auto tally = tally_over<TouchTally>(turns, [&](int turn, TouchTally& sum) {
-    Random random(static_cast<std::uint32_t>(turn) + 7000000);
+std::vector<StabilityRow> touching_box_rows(int trials) {
+  const auto tally = tally_over<TouchTally>(trials, [&](int number, TouchTally& sum) {
+    Random random(static_cast<std::uint32_t>(number) + 7000000);
     try_touching<Real>(random, sum);
   });
   const char* subject = "boxes with a common face";

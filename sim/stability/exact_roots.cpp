@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "firmware/elementary.hpp"
-#include "sim/description/description_error.hpp"
+#include "firmware/arithmetic/elementary.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -109,8 +109,8 @@ Neighbourhood neighbourhood(const Polynomial<double>& polynomial, long double u)
   return sum;
 }
 
-long double uncertainty(const Neighbourhood& at, long double root, long double spacing) {
-  return spacing * (at.magnitude / std::fabs(at.slope) + root);
+long double uncertainty(const Neighbourhood& at, long double root, long double ulp) {
+  return ulp * (at.magnitude / std::fabs(at.slope) + root);
 }
 
 bool is_well_conditioned(const Neighbourhood& at, long double uncertain) {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/bernstein.hpp"
+#include "firmware/polynomials/bernstein.hpp"
 
 /// The table of exact roots that tools/exact_roots.gp makes with PARI/GP, and how far rounding of
 /// the coefficients may move a root.
@@ -35,10 +35,9 @@ struct Neighbourhood {
 [[nodiscard]] Neighbourhood neighbourhood(const firmware::Polynomial<double>& polynomial,
                                           long double u);
 
-/// How far rounding of the terms by one spacing may move a simple root: the spacing times its
+/// How far rounding of the terms by one ulp may move a simple root: the ulp times its
 /// conditioning (Farouki and Rajan 1987).
-[[nodiscard]] long double uncertainty(const Neighbourhood& at, long double root,
-                                      long double spacing);
+[[nodiscard]] long double uncertainty(const Neighbourhood& at, long double root, long double ulp);
 
 /// Whether the polynomial is nearly straight as far as its root is uncertain, so that rounding can
 /// neither take the root away nor join it with another.

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "sim/description/placement.hpp"
+#include "sim/scene/placement.hpp"
 #include "sim/stability/random_cases.hpp"
 #include "sim/stability/tally.hpp"
 #include "sim/stability/trial_picture.hpp"

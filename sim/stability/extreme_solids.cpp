@@ -150,9 +150,9 @@ const std::vector<Generatrix>& extreme_generatrices() {
 }  // namespace
 
 template <class Real>
-std::vector<StabilityRow> stretched_solid_rows(const SolidFamily& family, int turns) {
-  const auto tally = tally_over<SolidTally>(turns, [&](int turn, SolidTally& sum) {
-    Random random(static_cast<std::uint32_t>(turn) + 8000000);
+std::vector<StabilityRow> stretched_solid_rows(const SolidFamily& family, int trials) {
+  const auto tally = tally_over<SolidTally>(trials, [&](int number, SolidTally& sum) {
+    Random random(static_cast<std::uint32_t>(number) + 8000000);
     const double size = random.magnitude(1e-2, 1e2);
     const Vector3 center = random.direction() * (size * random.magnitude(1e-3, 10));
     const Placement placement = random.placement(center, size, 1e6);
@@ -163,13 +163,13 @@ std::vector<StabilityRow> stretched_solid_rows(const SolidFamily& family, int tu
 }
 
 template <class Real>
-std::vector<StabilityRow> extreme_generatrix_rows(int turns) {
+std::vector<StabilityRow> extreme_generatrix_rows(int trials) {
   std::vector<StabilityRow> rows;
   std::uint32_t seed = 9000000;
   for (const Generatrix& generatrix : extreme_generatrices()) {
     Object solid = revolved(generatrix.points, generatrix.closed);
-    const auto tally = tally_over<SolidTally>(turns, [&](int turn, SolidTally& sum) {
-      Random random(seed + static_cast<std::uint32_t>(turn));
+    const auto tally = tally_over<SolidTally>(trials, [&](int number, SolidTally& sum) {
+      Random random(seed + static_cast<std::uint32_t>(number));
       const double size = random.magnitude(1e-2, 1e2);
       const Vector3 center = random.direction() * (size * random.magnitude(1e-3, 10));
       Object placed = solid;

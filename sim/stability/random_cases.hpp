@@ -81,9 +81,9 @@ class Random {
   }
   Vector<double> direction() {
     const double z = uniform(-1, 1);
-    const double turn = uniform(0, 2 * std::acos(-1.0));
+    const double angle = uniform(0, 2 * std::acos(-1.0));
     const double r = std::sqrt(1 - z * z);
-    return {r * std::cos(turn), r * std::sin(turn), z};
+    return {r * std::cos(angle), r * std::sin(angle), z};
   }
   /// Makes the angle of the given cosine with a unit vector.
   Vector<double> direction_around(const Vector<double>& axis, double cosine) {

@@ -7,10 +7,10 @@
 
 namespace maquette::sim {
 
-Object combined(ObjectKind combination, std::vector<Object> sons) {
+Object combined(ObjectKind combination, std::vector<Object> children) {
   Object object;
   object.kind = combination;
-  object.sons = std::move(sons);
+  object.children = std::move(children);
   return object;
 }
 

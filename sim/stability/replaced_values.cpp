@@ -2,11 +2,11 @@
 
 #include <optional>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/scene_description.hpp"
+#include "sim/scene/scene_description.hpp"
 #include "sim/stability/random_cases.hpp"
 #include "sim/stability/tally.hpp"
 #include "sim/stability/trial_picture.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -104,7 +104,7 @@ void replace_several(trial::Random& random, const std::vector<ShippedScene>& sce
 }  // namespace
 
 template <class Real>
-std::vector<StabilityRow> replaced_value_rows(const std::vector<ShippedScene>& scenes, int turns,
+std::vector<StabilityRow> replaced_value_rows(const std::vector<ShippedScene>& scenes, int trials,
                                               int stride) {
   const char* group = "extreme";
   const auto add = [&](int number, ReplacementTally& tally) {
@@ -117,8 +117,8 @@ std::vector<StabilityRow> replaced_value_rows(const std::vector<ShippedScene>& s
     }
   };
   const auto tally = tally_over<ReplacementTally>(static_cast<int>(scenes.size()), add);
-  const auto several = tally_over<ReplacementTally>(turns, [&](int turn, ReplacementTally& sum) {
-    trial::Random random(static_cast<std::uint32_t>(turn) + 5000000);
+  const auto several = tally_over<ReplacementTally>(trials, [&](int number, ReplacementTally& sum) {
+    trial::Random random(static_cast<std::uint32_t>(number) + 5000000);
     replace_several<Real>(random, scenes, sum);
   });
   return {

@@ -9,10 +9,10 @@ namespace maquette::sim {
 
 /// Numbers of a scene replaced, one at a time, by values at and beyond the limits. Counts
 /// values that are not finite and are not refused, and what finite values that are allowed do to
-/// the picture; of about forty numbers of a scene one in `stride`. And several together, in `turns`
-/// scenes.
+/// the picture; of about forty numbers of a scene one in `stride`. And several together, in
+/// `trials` scenes.
 template <class Real>
 [[nodiscard]] std::vector<StabilityRow> replaced_value_rows(const std::vector<ShippedScene>& scenes,
-                                                            int turns, int stride);
+                                                            int trials, int stride);
 
 }  // namespace maquette::sim

@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "firmware/real_roots.hpp"
+#include "firmware/polynomials/real_roots.hpp"
 #include "sim/stability/exact_roots.hpp"
 #include "sim/stability/random_cases.hpp"
 
@@ -17,8 +17,8 @@ using firmware::RealRoots;
 
 constexpr const char* k_group = "roots";
 
-/// A root may be off by so many times what rounding of the terms by one spacing may move it.
-constexpr long double k_allowed_spacings = 2;
+/// A root may be off by so many times what rounding of the terms by one ulp may move it.
+constexpr long double k_allowed_ulps = 2;
 
 /// What is known of a family after all its polynomials.
 struct RootTally {
@@ -27,7 +27,7 @@ struct RootTally {
   int spurious = 0;  ///< roots found where the value is not within rounding
   int parity_errors = 0;
   int steps = 0;
-  long double largest_error = 0;  ///< of well-conditioned roots, in spacings times conditioning
+  long double largest_error = 0;  ///< of well-conditioned roots, in ulps times conditioning
 };
 
 template <class Real>
@@ -51,7 +51,7 @@ long double distance_to_nearest(const RealRoots<Real>& found, long double root) 
 
 template <class Real>
 void add_case(const ExactCase& exact, RootTally& tally) {
-  const auto spacing = static_cast<long double>(std::numeric_limits<Real>::epsilon());
+  const auto ulp = static_cast<long double>(std::numeric_limits<Real>::epsilon());
   const RealRoots<Real> found = firmware::roots_of(as<Real>(exact.polynomial));
   const std::vector<long double> expected = expected_roots(exact);
   tally.roots += found.count;
@@ -59,18 +59,18 @@ void add_case(const ExactCase& exact, RootTally& tally) {
   tally.parity_errors += (found.count - static_cast<int>(expected.size())) % 2 != 0 ? 1 : 0;
   for (const long double root : expected) {
     const Neighbourhood at = neighbourhood(exact.polynomial, root);
-    const long double uncertain = uncertainty(at, root, spacing);
+    const long double uncertain = uncertainty(at, root, ulp);
     if (is_well_conditioned(at, uncertain)) {
       const long double error = distance_to_nearest(found, root);
-      tally.missed += error > k_allowed_spacings * uncertain ? 1 : 0;
+      tally.missed += error > k_allowed_ulps * uncertain ? 1 : 0;
       tally.largest_error = std::fmax(tally.largest_error, uncertain > 0 ? error / uncertain : 0);
     }
   }
   for (int i = 0; i < found.count; ++i) {
     const auto root = static_cast<long double>(found.at[i]);
     const Neighbourhood at = neighbourhood(exact.polynomial, root);
-    const long double rounding = spacing * (at.magnitude + std::fabs(at.slope) * root);
-    tally.spurious += std::fabs(at.value) > k_allowed_spacings * rounding ? 1 : 0;
+    const long double rounding = ulp * (at.magnitude + std::fabs(at.slope) * root);
+    tally.spurious += std::fabs(at.value) > k_allowed_ulps * rounding ? 1 : 0;
   }
 }
 
@@ -78,9 +78,8 @@ void add_rows(const std::string& family, const RootTally& tally, std::vector<Sta
   rows.push_back({k_group, family, "well-conditioned roots missed", 1.0 * tally.missed, 0});
   rows.push_back({k_group, family, "spurious roots", 1.0 * tally.spurious, 0});
   rows.push_back({k_group, family, "parity errors", 1.0 * tally.parity_errors, 0});
-  rows.push_back({k_group, family, "largest error, in spacings times conditioning",
-                  static_cast<double>(tally.largest_error),
-                  static_cast<double>(k_allowed_spacings)});
+  rows.push_back({k_group, family, "largest error, in ulps times conditioning",
+                  static_cast<double>(tally.largest_error), static_cast<double>(k_allowed_ulps)});
   const double iterations = tally.roots > 0 ? 1.0 * tally.steps / tally.roots : 0;
   rows.push_back({k_group, family, "iterations per root", iterations, {}});
 }

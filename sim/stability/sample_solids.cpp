@@ -4,10 +4,10 @@
 
 #include "firmware/extent.hpp"
 #include "firmware/primitives/primitive_table.hpp"
-#include "sim/description/placement.hpp"
-#include "sim/scene/local_frame.hpp"
-#include "sim/scene/needs.hpp"
-#include "sim/scene/object_tree.hpp"
+#include "sim/database/local_frame.hpp"
+#include "sim/database/needs.hpp"
+#include "sim/database/object_tree.hpp"
+#include "sim/scene/placement.hpp"
 #include "sim/stability/trial_scene.hpp"
 
 namespace maquette::sim {
@@ -52,11 +52,11 @@ bool is_solid(const Object& primitive) {
 }
 
 void add_solids(const Object& object, std::vector<SolidFamily>& families) {
-  if (object.sons.empty() && is_solid(object)) {
+  if (object.children.empty() && is_solid(object)) {
     add_solid(object, families);
   }
-  for (const Object& son : object.sons) {
-    add_solids(son, families);
+  for (const Object& child : object.children) {
+    add_solids(child, families);
   }
 }
 

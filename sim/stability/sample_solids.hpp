@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "firmware/database.hpp"
-#include "sim/description/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/stability/random_cases.hpp"
 #include "sim/stability/shipped_scenes.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/scene.hpp"
+#include "sim/scene/scene.hpp"
 #include "sim/stability/shipped_scenes.hpp"
 #include "sim/stability/stability_row.hpp"
 

@@ -16,7 +16,7 @@ using firmware::RayQuery;
 using firmware::SurfacePoint;
 using trial::Random;
 
-constexpr int k_rays_per_turn = 8;
+constexpr int k_rays_per_trial = 8;
 constexpr double k_axis_ratio = 10;
 /// Spacings of the coordinates by which rounding may move a ray, generously.
 constexpr double k_ray_rounding = 64;
@@ -202,14 +202,14 @@ void try_ray(Random& random, Trial<Real>& trial, const Placement& placement, Ray
 }  // namespace
 
 template <class Real>
-std::vector<StabilityRow> secondary_ray_rows(const SolidFamily& family, int turns) {
-  const auto tally = tally_over<RayTally>(turns, [&](int turn, RayTally& sum) {
-    Random random(static_cast<std::uint32_t>(turn) + 2000000);
+std::vector<StabilityRow> secondary_ray_rows(const SolidFamily& family, int trials) {
+  const auto tally = tally_over<RayTally>(trials, [&](int number, RayTally& sum) {
+    Random random(static_cast<std::uint32_t>(number) + 2000000);
     const double size = random.magnitude(1e-4, 1e4);
     const Vector3 center = random.direction() * (size * random.magnitude(1e-6, 1e4));
     const Placement placement = random.placement(center, size, k_axis_ratio);
     Trial<Real> trial(scene_of(random_solid(random, family, placement)));
-    for (int ray = 0; ray < k_rays_per_turn; ++ray) {
+    for (int ray = 0; ray < k_rays_per_trial; ++ray) {
       try_ray(random, trial, placement, sum);
     }
   });
@@ -227,7 +227,8 @@ std::vector<StabilityRow> secondary_ray_rows(const SolidFamily& family, int turn
            {}}};
 }
 
-template std::vector<StabilityRow> secondary_ray_rows<float>(const SolidFamily& family, int turns);
-template std::vector<StabilityRow> secondary_ray_rows<double>(const SolidFamily& family, int turns);
+template std::vector<StabilityRow> secondary_ray_rows<float>(const SolidFamily& family, int trials);
+template std::vector<StabilityRow> secondary_ray_rows<double>(const SolidFamily& family,
+                                                              int trials);
 
 }  // namespace maquette::sim

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <system_error>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/scene_description.hpp"
-#include "sim/description/yaml_reader.hpp"
+#include "sim/scene/scene_description.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/yaml_reader.hpp"
 
 namespace maquette::sim {
 

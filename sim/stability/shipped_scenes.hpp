@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/scene.hpp"
-#include "sim/description/yaml_node.hpp"
+#include "sim/scene/scene.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 

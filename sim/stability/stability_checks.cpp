@@ -18,12 +18,12 @@ namespace maquette::sim {
 namespace {
 
 constexpr int k_picture_width = 256;
-constexpr int k_ray_turns = 4000;
-constexpr int k_tree_turns = 20000;
-constexpr int k_body_turns = 4000;
-constexpr int k_stretched_turns = 5000;
-constexpr int k_generatrix_turns = 4000;
-constexpr int k_replacement_turns = 4000;
+constexpr int k_ray_trials = 4000;
+constexpr int k_tree_trials = 20000;
+constexpr int k_body_trials = 4000;
+constexpr int k_stretched_trials = 5000;
+constexpr int k_generatrix_trials = 4000;
+constexpr int k_replacement_trials = 4000;
 
 }  // namespace
 
@@ -44,7 +44,7 @@ const std::vector<std::string>& stability_groups() {
 
 template <class Real>
 std::vector<StabilityCheck> stability_checks(const StabilityMaterial& material, double share) {
-  const auto turns = [share](int all) { return std::max(1, static_cast<int>(share * all)); };
+  const auto trials = [share](int all) { return std::max(1, static_cast<int>(share * all)); };
   const int width = static_cast<int>(k_picture_width * std::sqrt(share));
   std::vector<StabilityCheck> checks;
   checks.push_back({"roots", [&material] { return root_rows<Real>(material.exact_roots_file); }});
@@ -52,32 +52,33 @@ std::vector<StabilityCheck> stability_checks(const StabilityMaterial& material, 
     checks.push_back({"scale", [&scene, width] { return scale_rows<Real>(scene, width); }});
   }
   for (const SolidFamily& family : material.families) {
-    checks.push_back({"secondary_rays", [&family, turns] {
-                        return secondary_ray_rows<Real>(family, turns(k_ray_turns));
+    checks.push_back({"secondary_rays", [&family, trials] {
+                        return secondary_ray_rows<Real>(family, trials(k_ray_trials));
                       }});
   }
-  checks.push_back({"csg", [&material, turns] {
-                      return ray_parity_rows<Real>(material.families, turns(k_tree_turns));
+  checks.push_back({"csg", [&material, trials] {
+                      return ray_parity_rows<Real>(material.families, trials(k_tree_trials));
                     }});
   for (const SolidFamily& family : material.families) {
-    checks.push_back({"csg", [&family, turns] {
-                        return coincident_solid_rows<Real>(family, turns(k_body_turns));
+    checks.push_back({"csg", [&family, trials] {
+                        return coincident_solid_rows<Real>(family, trials(k_body_trials));
                       }});
   }
-  checks.push_back({"csg", [turns] { return touching_box_rows<Real>(turns(k_body_turns)); }});
-  checks.push_back({"csg", [&material, turns] {
-                      return thin_shell_rows<Real>(material.families, turns(k_body_turns));
+  checks.push_back({"csg", [trials] { return touching_box_rows<Real>(trials(k_body_trials)); }});
+  checks.push_back({"csg", [&material, trials] {
+                      return thin_shell_rows<Real>(material.families, trials(k_body_trials));
                     }});
   checks.push_back({"extreme", [&material] { return extreme_scene_rows<Real>(material.scenes); }});
   for (const SolidFamily& family : material.families) {
-    checks.push_back({"extreme", [&family, turns] {
-                        return stretched_solid_rows<Real>(family, turns(k_stretched_turns));
+    checks.push_back({"extreme", [&family, trials] {
+                        return stretched_solid_rows<Real>(family, trials(k_stretched_trials));
                       }});
   }
   checks.push_back(
-      {"extreme", [turns] { return extreme_generatrix_rows<Real>(turns(k_generatrix_turns)); }});
-  checks.push_back({"extreme", [&material, turns, share] {
-                      return replaced_value_rows<Real>(material.scenes, turns(k_replacement_turns),
+      {"extreme", [trials] { return extreme_generatrix_rows<Real>(trials(k_generatrix_trials)); }});
+  checks.push_back({"extreme", [&material, trials, share] {
+                      return replaced_value_rows<Real>(material.scenes,
+                                                       trials(k_replacement_trials),
                                                        static_cast<int>(1 / share));
                     }});
   return checks;

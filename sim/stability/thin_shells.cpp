@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "firmware/primitives/primitive_table.hpp"
-#include "sim/description/placement.hpp"
-#include "sim/scene/local_frame.hpp"
+#include "sim/database/local_frame.hpp"
+#include "sim/scene/placement.hpp"
 #include "sim/stability/random_tree.hpp"
 #include "sim/stability/tally.hpp"
 #include "sim/stability/trial_scene.hpp"
@@ -36,8 +36,8 @@ template <class Real>
 double merging_distance(const firmware::Frame<Real>& frame, double distance) {
   const auto scale = static_cast<double>(frame.prepared.leaves[0].scale) +
                      static_cast<double>(frame.prepared.leaves[1].scale);
-  return (scale + distance) * static_cast<double>(firmware::spacings<Real>(
-                                  firmware::preprocessing::k_crossing_tolerance));
+  return (scale + distance) *
+         static_cast<double>(firmware::ulps<Real>(firmware::preprocessing::k_crossing_tolerance));
 }
 
 template <class Real>
@@ -93,14 +93,14 @@ std::vector<const SolidFamily*> convex_families(const std::vector<SolidFamily>& 
 }  // namespace
 
 template <class Real>
-std::vector<StabilityRow> thin_shell_rows(const std::vector<SolidFamily>& families, int turns) {
+std::vector<StabilityRow> thin_shell_rows(const std::vector<SolidFamily>& families, int trials) {
   const std::vector<const SolidFamily*> convex = convex_families(families);
   std::vector<StabilityRow> rows;
   std::uint32_t seed = 4000000;
   for (const double thickness : {1e-2, 1e-3, 1e-4, 1e-5, 1e-6}) {
-    const auto tally = tally_over<ShellTally>(turns, [&](int turn, ShellTally& sum) {
-      Random random(seed + static_cast<std::uint32_t>(turn));
-      try_shell<Real>(random, *convex[static_cast<std::size_t>(turn) % convex.size()], thickness,
+    const auto tally = tally_over<ShellTally>(trials, [&](int number, ShellTally& sum) {
+      Random random(seed + static_cast<std::uint32_t>(number));
+      try_shell<Real>(random, *convex[static_cast<std::size_t>(number) % convex.size()], thickness,
                       sum);
     });
     seed += 100000;

@@ -9,9 +9,9 @@ namespace maquette::sim {
 
 /// A convex solid without a slightly smaller copy of itself: shells from 1e-2 to 1e-6 of the size.
 /// A ray through the middle crosses two walls; none may be lost that is thicker than faces that
-/// fall together. Of `turns` shells for each thickness.
+/// fall together. Of `trials` shells for each thickness.
 template <class Real>
 [[nodiscard]] std::vector<StabilityRow> thin_shell_rows(const std::vector<SolidFamily>& families,
-                                                        int turns);
+                                                        int trials);
 
 }  // namespace maquette::sim

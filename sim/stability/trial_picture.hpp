@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/description/scene.hpp"
-#include "sim/scene/picture_format.hpp"
-#include "sim/scene/prepared_scene.hpp"
+#include "sim/database/picture_format.hpp"
+#include "sim/database/prepared_scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
 

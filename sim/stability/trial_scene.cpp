@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "sim/description/placement.hpp"
+#include "sim/scene/placement.hpp"
 
 namespace maquette::sim {
 

@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "firmware/ray_tree.hpp"
-#include "sim/description/scene.hpp"
-#include "sim/scene/prepared_scene.hpp"
+#include "sim/database/prepared_scene.hpp"
+#include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
 

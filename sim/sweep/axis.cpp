@@ -4,9 +4,9 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/yaml_reader.hpp"
-#include "sim/description/yaml_writer.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/yaml_reader.hpp"
+#include "sim/yaml/yaml_writer.hpp"
 
 namespace maquette::sim {
 namespace {

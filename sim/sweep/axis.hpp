@@ -4,9 +4,9 @@
 #include <variant>
 #include <vector>
 
-#include "sim/description/override.hpp"
-#include "sim/description/yaml_node.hpp"
 #include "sim/sweep/value_range.hpp"
+#include "sim/yaml/override.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 

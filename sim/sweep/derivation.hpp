@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "sim/report/table.hpp"
 #include "sim/sweep/axis.hpp"
 #include "sim/sweep/derived_column.hpp"
-#include "sim/sweep/table.hpp"
 
 namespace maquette::sim {
 

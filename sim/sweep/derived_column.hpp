@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/description/yaml_node.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/sweep/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
+#include "sim/report/quantile.hpp"
 #include "sim/sweep/point_list.hpp"
-#include "sim/sweep/quantile.hpp"
 
 namespace maquette::sim {
 namespace {

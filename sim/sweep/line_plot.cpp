@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/sweep/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 
 namespace maquette::sim {
 namespace {

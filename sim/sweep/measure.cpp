@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/description/decimal.hpp"
-#include "sim/description/dimension.hpp"
+#include "sim/fields/decimal.hpp"
+#include "sim/fields/dimension.hpp"
 
 namespace maquette::sim {
 namespace {

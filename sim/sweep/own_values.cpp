@@ -6,10 +6,10 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/description/machine_description.hpp"
-#include "sim/description/override.hpp"
-#include "sim/description/scene_description.hpp"
+#include "sim/machine/machine_description.hpp"
+#include "sim/scene/scene_description.hpp"
 #include "sim/sweep/axis.hpp"
+#include "sim/yaml/override.hpp"
 
 namespace maquette::sim {
 namespace {

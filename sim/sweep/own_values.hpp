@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/description_loader.hpp"
-#include "sim/description/parameter_table.hpp"
-#include "sim/description/yaml_node.hpp"
+#include "sim/fields/parameter_table.hpp"
+#include "sim/scene/description_loader.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

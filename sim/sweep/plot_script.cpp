@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/sweep/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 #include "sim/sweep/histogram_plot.hpp"
 #include "sim/sweep/line_plot.hpp"
 #include "sim/sweep/scatter_plot.hpp"

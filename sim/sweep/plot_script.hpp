@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "sim/report/table.hpp"
 #include "sim/sweep/plot.hpp"
 #include "sim/sweep/study.hpp"
-#include "sim/sweep/table.hpp"
 
 namespace maquette::sim {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "sim/description/description_error.hpp"
 #include "sim/sweep/latin_hypercube.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

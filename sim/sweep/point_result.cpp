@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "sim/description/description_error.hpp"
 #include "sim/report/flat_json.hpp"
 #include "sim/report/statistics_json.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

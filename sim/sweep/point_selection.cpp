@@ -7,7 +7,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "sim/description/description_error.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "sim/sweep/gnuplot.hpp"
+#include "sim/plot/gnuplot.hpp"
 #include "sim/sweep/point_list.hpp"
 
 namespace maquette::sim {

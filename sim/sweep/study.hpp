@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/description_loader.hpp"
+#include "sim/scene/description_loader.hpp"
 #include "sim/sweep/axis.hpp"
 #include "sim/sweep/derived_column.hpp"
 #include "sim/sweep/plot.hpp"

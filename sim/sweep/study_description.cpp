@@ -5,10 +5,10 @@
 #include <set>
 #include <string_view>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/yaml_reader.hpp"
-#include "sim/description/yaml_writer.hpp"
 #include "sim/sweep/study_fields.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/yaml_reader.hpp"
+#include "sim/yaml/yaml_writer.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -5,10 +5,10 @@
 #include <system_error>
 #include <utility>
 
-#include "sim/description/description_error.hpp"
 #include "sim/report/digest.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/sweep/study_description.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {

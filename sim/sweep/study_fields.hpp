@@ -1,9 +1,9 @@
 #pragma once
 
-#include "sim/description/declaration.hpp"
-#include "sim/description/field_reader.hpp"
-#include "sim/description/field_writer.hpp"
-#include "sim/description/value_types.hpp"
+#include "sim/fields/declaration.hpp"
+#include "sim/fields/field_reader.hpp"
+#include "sim/fields/field_writer.hpp"
+#include "sim/fields/value_types.hpp"
 #include "sim/sweep/study.hpp"
 #include "sim/sweep/study_types.hpp"
 

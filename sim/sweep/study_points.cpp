@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "sim/description/machine_description.hpp"
-#include "sim/description/yaml_writer.hpp"
+#include "sim/machine/machine_description.hpp"
+#include "sim/yaml/yaml_writer.hpp"
 
 namespace maquette::sim {
 namespace {

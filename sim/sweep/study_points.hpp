@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/description_loader.hpp"
+#include "sim/scene/description_loader.hpp"
 #include "sim/sweep/own_values.hpp"
 #include "sim/sweep/point_list.hpp"
 #include "sim/sweep/study.hpp"

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/plot/gnuplot.hpp"
 #include "sim/report/run_directory.hpp"
-#include "sim/sweep/gnuplot.hpp"
 #include "sim/sweep/plot_script.hpp"
 
 namespace maquette::sim {

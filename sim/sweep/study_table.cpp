@@ -2,11 +2,11 @@
 
 #include <string>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/nearest_name.hpp"
 #include "sim/report/scalar_statistics.hpp"
 #include "sim/sweep/derivation.hpp"
 #include "sim/sweep/measure.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/nearest_name.hpp"
 
 namespace maquette::sim {
 namespace {

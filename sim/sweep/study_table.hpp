@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "sim/report/table.hpp"
 #include "sim/sweep/point_result.hpp"
 #include "sim/sweep/study_points.hpp"
-#include "sim/sweep/table.hpp"
 
 namespace maquette::sim {
 

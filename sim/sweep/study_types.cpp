@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "sim/description/field_reader.hpp"
+#include "sim/fields/field_reader.hpp"
 
 namespace maquette::sim {
 

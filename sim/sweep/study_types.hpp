@@ -3,9 +3,9 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/description/override.hpp"
-#include "sim/description/yaml_node.hpp"
 #include "sim/sweep/axis.hpp"
+#include "sim/yaml/override.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 /// The types of values that only studies have.
 namespace maquette::sim {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/description/yaml_node.hpp"
 #include "sim/sweep/measure.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "models/instant.hpp"
+#include "models/bus/instant.hpp"
 
 namespace maquette::sim {
 

@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/quantity.hpp"
+#include "sim/fields/quantity.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 

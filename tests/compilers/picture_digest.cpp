@@ -1,7 +1,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "firmware/counted.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "tests/firmware/random_model.hpp"
 
 // Renders random scenes with everything in them and prints a digest of their pixels and of the work

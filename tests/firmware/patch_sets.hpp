@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "firmware/patch_set.hpp"
+#include "firmware/primitives/patch_set.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Sets of patches for tests, with what is known of them from elsewhere.

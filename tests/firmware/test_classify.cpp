@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "firmware/counted.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "tests/firmware/random_model.hpp"
 
 namespace maquette::firmware {
@@ -160,7 +160,7 @@ template <class Real>
 int skins(BooleanOperator combination, PrimitiveKind kind, const Placement& other_to_body) {
   Random random(605);
   int found = 0;
-  for (int turn = 0; turn < k_skin_rays / 50; ++turn) {
+  for (int trial = 0; trial < k_skin_rays / 50; ++trial) {
     const double size = random.magnitude(1e-4, 1e4);
     const Vector<double> center = random.in_cube(10) * size;
     Model model;

@@ -50,8 +50,7 @@ Steps combined(BooleanOperator combination, const Spans& a, const Spans& b) {
   Frame<float> frame{};
   frame.database.surfaces = surfaces;
   frame.prepared.leaves = leaves;
-  frame.prepared.coarse_tolerance =
-      k_scale * spacings<float>(6 * preprocessing::k_crossing_tolerance);
+  frame.prepared.coarse_tolerance = k_scale * ulps<float>(6 * preprocessing::k_crossing_tolerance);
   std::vector<Crossing<float>> area(4 * (a.size() + b.size()));
   std::size_t count = 0;
   for (const Span& span : a) {
@@ -135,7 +134,7 @@ Spans random_spans(trial::Random& random) {
 /// The same spans with ends off by what two ways of computing a coordinate may differ.
 Spans rounded_otherwise(trial::Random& random, Spans spans) {
   const auto off = [&random] {
-    return static_cast<float>(random.uniform(-1.5, 1.5)) * k_scale * spacings<float>(1);
+    return static_cast<float>(random.uniform(-1.5, 1.5)) * k_scale * ulps<float>(1);
   };
   for (Span& span : spans) {
     span.in += off();

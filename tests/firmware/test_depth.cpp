@@ -39,13 +39,14 @@ TEST_CASE("The depth of a pixel is that of the nearest sphere, whatever shines o
     const Vector<double> centers[2] = {Vector<double>(0, 0, 12) + random.in_cube(3),
                                        Vector<double>(0, 0, 16) + random.in_cube(3)};
     const double radii[2] = {random.uniform(0.5, 2), random.uniform(0.5, 2)};
-    NodeIndex sons[2];
+    NodeIndex children[2];
     for (int k = 0; k < 2; ++k) {
       const auto place = concatenate(trial::moved(centers[k]),
                                      trial::scaled(Vector<double>(radii[k], radii[k], radii[k])));
-      sons[k] = model.add(PrimitiveKind::sphere, place, k == 0 && random.coin() ? glass : 0);
+      children[k] = model.add(PrimitiveKind::sphere, place, k == 0 && random.coin() ? glass : 0);
     }
-    BuiltFrame<double> built(model, model.combine(BooleanOperator::union_of, sons[0], sons[1]));
+    BuiltFrame<double> built(model,
+                             model.combine(BooleanOperator::union_of, children[0], children[1]));
     const DepthRange<double>& range = built.frame.prepared.depths;
     REQUIRE(range.low <= centers[0].z - radii[0]);
     REQUIRE(range.low + k_full_depth / range.codes_per_unit >= centers[1].z + radii[1]);

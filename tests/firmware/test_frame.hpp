@@ -221,8 +221,9 @@ class BuiltFrame {
       }
     }
     for (const Composite& draft : model.composites) {
-      composites_.push_back(
-          {k_no_node, {number_of(draft.sons[0]), number_of(draft.sons[1])}, draft.combination});
+      composites_.push_back({k_no_node,
+                             {number_of(draft.children[0]), number_of(draft.children[1])},
+                             draft.combination});
     }
   }
 
@@ -280,7 +281,8 @@ class BuiltFrame {
       needs.push_back(crossing_needs_of_leaf(frame.database, leaf));
     }
     for (const Composite& composite : composites_) {
-      needs.push_back(combined_crossing_needs(needs[composite.sons[0]], needs[composite.sons[1]]));
+      needs.push_back(
+          combined_crossing_needs(needs[composite.children[0]], needs[composite.children[1]]));
     }
     return needs[frame.database.root];
   }

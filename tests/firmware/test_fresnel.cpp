@@ -37,7 +37,7 @@ TEST_CASE("Dielectrics reflect the mean of both polarisations") {
 
 TEMPLATE_TEST_CASE("Dielectrics have their closed values", "", float, double) {
   using Real = TestType;
-  const double rounding = 20 * static_cast<double>(spacings<Real>(1));
+  const double rounding = 20 * static_cast<double>(ulps<Real>(1));
   for (const double n : {1.1, 1.33, 1.5, 2.4, 0.8}) {
     const Real index = constant<Real>(n);
     const double frontal = std::pow((n - 1) / (n + 1), 2);
@@ -104,7 +104,7 @@ TEST_CASE("A conductor without extinction is a dielectric") {
 TEMPLATE_TEST_CASE("No border reflects less than nothing or more than all", "", float, double) {
   using Real = TestType;
   trial::Random random(505);
-  const Real most = Real(1) + spacings<Real>(8);
+  const Real most = Real(1) + ulps<Real>(8);
   for (int i = 0; i < 20000; ++i) {
     const Real cosine =
         constant<Real>(random.coin() ? random.uniform() : random.magnitude(1e-8, 1));

@@ -33,7 +33,7 @@ TEST_CASE("Rays wait as many as the depth of their tree") {
 TEST_CASE("No ray needs more room than the work areas have") {
   Random random(801);
   std::size_t most_crossings = 0;
-  for (int turn = 0; turn < 150; ++turn) {
+  for (int trial = 0; trial < 150; ++trial) {
     Model model;
     model.surfaces = {trial::glass_surface(1.5), trial::mirror_surface(), trial::matt_surface(),
                       trial::glass_surface(1.2)};

@@ -45,7 +45,7 @@ RandomTree random_union(Random& random, int bodies, double glass) {
   return {std::move(model), nodes.front()};
 }
 
-TEMPLATE_TEST_CASE("Boxes and the nearer son first find the same first thing ahead", "", float,
+TEMPLATE_TEST_CASE("Boxes and the nearer child first find the same first thing ahead", "", float,
                    double) {
   using Real = TestType;
   Random random(2101);

@@ -34,7 +34,7 @@ TEMPLATE_TEST_CASE("No secondary ray that meets a tree fails its spheres", "", f
   Random random(701);
   int met = 0;
   int lost = 0;
-  for (int turn = 0; turn < 600; ++turn) {
+  for (int trial = 0; trial < 600; ++trial) {
     const double size = random.magnitude(1e-3, 1e3);
     const Vector<double> center = random.in_cube(10) * size;
     const auto tree = trial::random_tree(random, Model{}, 1 + random.below(9), center, size);
@@ -56,7 +56,7 @@ TEMPLATE_TEST_CASE("No primary ray that meets a tree fails its rectangles", "", 
   Random random(702);
   int met = 0;
   int lost = 0;
-  for (int turn = 0; turn < 300; ++turn) {
+  for (int trial = 0; trial < 300; ++trial) {
     const double size = random.magnitude(1e-3, 1e3);
     const Vector<double> center =
         Vector<double>(random.uniform(-2, 2), random.uniform(-2, 2), random.magnitude(0.5, 20)) *
@@ -124,7 +124,7 @@ TEST_CASE("Operators narrow extents: a difference to its first operand, an inter
 
 TEST_CASE("The useful zone is the root's rectangle: no pixel outside of it sees a body") {
   Random random(703);
-  for (int turn = 0; turn < 40; ++turn) {
+  for (int trial = 0; trial < 40; ++trial) {
     const auto tree = trial::random_tree(random, Model{}, 5, {0, 0, 30}, 10);
     TreePair<float> pair(tree.model, tree.root);
     const Rectangle zone = pair.shut.frame.prepared.useful_zone;

@@ -169,7 +169,7 @@ TEST_CASE("With depth the slab's inner reflections are seen too, and no more tha
 
 TEST_CASE("In a surrounding of brightness 1 nothing looks brighter") {
   Random random(1104);
-  for (int turn = 0; turn < 40; ++turn) {
+  for (int trial = 0; trial < 40; ++trial) {
     Model model;
     model.surfaces = {trial::matt_surface(), trial::mirror_surface(), trial::glass_surface(1.5),
                       trial::glass_surface(1.3, {0.1, 0.2, 0.3})};

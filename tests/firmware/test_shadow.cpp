@@ -121,7 +121,7 @@ TEST_CASE("In random trees of opaque bodies shadow is where matter lies in betwe
   Random random(301);
   int stopped = 0;
   int differing = 0;
-  for (int turn = 0; turn < 300; ++turn) {
+  for (int trial = 0; trial < 300; ++trial) {
     const auto tree = trial::random_tree(random, Model{}, 1 + random.below(8), {0, 0, 20}, 10);
     BuiltFrame<double> built(tree.model, tree.root);
     for (int ray = 0; ray < 30; ++ray) {
@@ -140,7 +140,7 @@ TEST_CASE("In random trees of opaque bodies shadow is where matter lies in betwe
 TEST_CASE("No light grows on its way, and it is the same both ways") {
   Random random(302);
   int attenuated = 0;
-  for (int turn = 0; turn < 200; ++turn) {
+  for (int trial = 0; trial < 200; ++trial) {
     Model glasses;
     glasses.surfaces = {trial::glass_surface(1.5, {0.1, 0.2, 0.3}), trial::glass_surface(1.3)};
     const auto tree = trial::random_tree(random, glasses, 1 + random.below(5), {0, 0, 20}, 10);

@@ -92,10 +92,10 @@ void spawn_from(Random& random, BuiltFrame<Real>& built, PrimitiveKind kind,
 
 /// Aims rays at a primitive, from outside, and spawns others from where they meet it.
 template <class Real>
-Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& setting, int turns) {
+Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& setting, int trials) {
   Random random(seed);
   Outcome outcome;
-  for (int turn = 0; turn < turns; ++turn) {
+  for (int trial = 0; trial < trials; ++trial) {
     const double size = random.magnitude(1e-4, 1e4);
     const Vector<double> center =
         random.direction() * (size * random.magnitude(setting.eye_low, setting.eye_high));

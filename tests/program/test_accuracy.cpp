@@ -27,18 +27,18 @@ Json errors_of(const ScratchDirectory& scratch, const std::string& directory) {
   return Json::parse(content_of(scratch / directory / "accuracy.json"));
 }
 
-Json rung_of(const Json& errors, const std::string& name) {
-  for (const Json& rung : errors["rungs"]) {
-    if (rung["name"] == name) {
-      return rung;
+Json ladder_of(const Json& errors, const std::string& name) {
+  for (const Json& ladder : errors["ladders"]) {
+    if (ladder["name"] == name) {
+      return ladder;
     }
   }
-  FAIL("no rung " << name);
+  FAIL("no ladder " << name);
   return {};
 }
 
-Json level_of(const Json& rung, const std::string& name) {
-  for (const Json& level : rung["levels"]) {
+Json level_of(const Json& ladder, const std::string& name) {
+  for (const Json& level : ladder["levels"]) {
     if (level["level"] == name) {
       return level;
     }
@@ -58,16 +58,16 @@ TEST_CASE("every level is held against its reference, and only host times differ
   for (const char* name : {"accuracy.csv", "accuracy.json"}) {
     CHECK(content_of(scratch / "one" / name) == content_of(scratch / "two" / name));
   }
-  for (const char* rung : {"bus", "number", "depth", "weight"}) {
-    CHECK(outcome.output.find(std::string(rung) + ": ") != std::string::npos);
+  for (const char* ladder : {"bus", "number", "depth", "weight"}) {
+    CHECK(outcome.output.find(std::string(ladder) + ": ") != std::string::npos);
     for (const char* ending : {".svg", ".png", ".gp"}) {
       const auto file =
-          scratch / "one" / "plots" / (std::string(rung) + "-over-host-time" + ending);
+          scratch / "one" / "plots" / (std::string(ladder) + "-over-host-time" + ending);
       CHECK(std::filesystem::file_size(file) > 1000);
     }
   }
-  for (const Json& rung : errors_of(scratch, "one")["rungs"]) {
-    const Json reference = level_of(rung, rung["reference"]);
+  for (const Json& ladder : errors_of(scratch, "one")["ladders"]) {
+    const Json reference = level_of(ladder, ladder["reference"]);
     CHECK(reference["error"] == 0);
     CHECK(reference["pixels_off"] == 0);
     for (const Json& board : reference["boards"]) {
@@ -78,10 +78,10 @@ TEST_CASE("every level is held against its reference, and only host times differ
 
 TEST_CASE("levels of the bus: the same picture, exact below an access, no wait when ideal") {
   const ScratchDirectory scratch;
-  REQUIRE(
-      accuracy(scratch, "--rung bus --repeats 1 --quiet --quantum 500ns --quantum \"1 ms\"", "out")
-          .exit_code == 0);
-  const Json bus = rung_of(errors_of(scratch, "out"), "bus");
+  REQUIRE(accuracy(scratch, "--ladder bus --repeats 1 --quiet --quantum 500ns --quantum \"1 ms\"",
+                   "out")
+              .exit_code == 0);
+  const Json bus = ladder_of(errors_of(scratch, "out"), "bus");
   REQUIRE(bus["levels"].size() == 4);
   CHECK(bus["reference"] == "transaction");
   for (const Json& level : bus["levels"]) {
@@ -101,12 +101,12 @@ TEST_CASE("levels of the bus: the same picture, exact below an access, no wait w
 TEST_CASE("on a saturated bus no level but the exact one is right") {
   const ScratchDirectory scratch;
   REQUIRE(accuracy(scratch,
-                   "--rung bus --repeats 1 --quiet --quantum \"1 ms\" --set processors=64 "
+                   "--ladder bus --repeats 1 --quiet --quantum \"1 ms\" --set processors=64 "
                    "--machine m68020 --set frame_memory.video_priority=false "
                    "--set \"frame_memory.access_time=30 us\"",
                    "out")
               .exit_code == 0);
-  const Json bus = rung_of(errors_of(scratch, "out"), "bus");
+  const Json bus = ladder_of(errors_of(scratch, "out"), "bus");
   CHECK(level_of(bus, "decoupled 1 ms")["frame_time_error"].get<double>() > 0.05);
   CHECK(level_of(bus, "ideal")["frame_time_error"].get<double>() < -0.05);
 }
@@ -115,10 +115,10 @@ TEST_CASE("roots that are less near take less simulated time") {
   const ScratchDirectory scratch;
   const std::string scene =
       std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/primitives/revolution.yaml";
-  REQUIRE(run_maquette("accuracy " + scene + k_tiny_frame + "--rung roots --repeats 1 --quiet " +
+  REQUIRE(run_maquette("accuracy " + scene + k_tiny_frame + "--ladder roots --repeats 1 --quiet " +
                        "--outdir " + (scratch / "out").string())
               .exit_code == 0);
-  const Json levels = rung_of(errors_of(scratch, "out"), "roots")["levels"];
+  const Json levels = ladder_of(errors_of(scratch, "out"), "roots")["levels"];
   REQUIRE(levels.size() > 2);
   for (std::size_t i = 1; i < levels.size(); ++i) {
     CHECK(levels[i]["frame_time_s"].get<double>() <= levels[i - 1]["frame_time_s"].get<double>());
@@ -149,7 +149,7 @@ TEST_CASE("Bad input is refused before anything is written") {
     const char* pattern;
   };
   const Case cases[] = {{"--quantum 5", "quantum.*us"},       {"--quantum=-1us", "quantum"},
-                        {"--quantum \"2 s\"", "quantum"},     {"--rung ladder", "bus"},
+                        {"--quantum \"2 s\"", "quantum"},     {"--ladder stair", "bus"},
                         {"--repeats 0", "repeats"},           {"--machine zx81", "zx81"},
                         {"--set processors=0", "processors"}, {"--set board.stack=256B", "stack"}};
   for (const Case& c : cases) {
@@ -174,7 +174,7 @@ TEST_CASE("An unwritable directory, and a machine that does not work, leave noth
   const std::string file = scratch.file("occupied", "a file");
   CHECK(run_maquette(command_of(scratch, "--outdir " + file + "/out")).exit_code == 2);
   const Outcome outcome =
-      accuracy(scratch, "--rung bus --set \"frame_memory.access_time=30 us\"", "out");
+      accuracy(scratch, "--ladder bus --set \"frame_memory.access_time=30 us\"", "out");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.errors.find("level bus, transaction") != std::string::npos);

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <vector>
 
-#include "models/ccett_machine.hpp"
+#include "models/machine/ccett_machine.hpp"
 #include "sim/run/contention_statistics.hpp"
-#include "tests/models/source_of_pixels.hpp"
+#include "tests/models/board/source_of_pixels.hpp"
 #include "tests/program/program.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <iterator>
 #include <string>
 
-#include "sim/description/description_error.hpp"
-#include "sim/description/description_loader.hpp"
+#include "sim/scene/description_loader.hpp"
+#include "sim/yaml/description_error.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
 /// What the tests of descriptions share.

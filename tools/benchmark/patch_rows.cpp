@@ -1,8 +1,8 @@
 #include <filesystem>
 
 #include "firmware/primitives/patches.hpp"
-#include "sim/description/description_loader.hpp"
-#include "sim/scene/local_frame.hpp"
+#include "sim/database/local_frame.hpp"
+#include "sim/scene/description_loader.hpp"
 #include "tools/benchmark/ray_timing.hpp"
 #include "tools/benchmark/rows.hpp"
 
@@ -18,8 +18,8 @@ const sim::Object* find_patches(const sim::Object& object) {
   if (object.kind == sim::ObjectKind::patches) {
     return &object;
   }
-  for (const sim::Object& son : object.sons) {
-    if (const sim::Object* found = find_patches(son)) {
+  for (const sim::Object& child : object.children) {
+    if (const sim::Object* found = find_patches(child)) {
       return found;
     }
   }

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <glm/trigonometric.hpp>
 
-#include "sim/description/description_loader.hpp"
-#include "sim/description/shapes/generatrix_curve.hpp"
+#include "sim/database/frame_synthesis.hpp"
+#include "sim/primitives/generatrix_curve.hpp"
 #include "sim/report/run_directory.hpp"
-#include "sim/scene/frame_synthesis.hpp"
+#include "sim/scene/description_loader.hpp"
 #include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/rows.hpp"
 
@@ -43,7 +43,7 @@ std::string disc_text(const glm::dvec2& end, const std::string& finish) {
 }
 
 std::string vase_text(const sim::Scene& scene) {
-  const sim::Object& vase = scene.object.sons.front();
+  const sim::Object& vase = scene.object.children.front();
   const auto curve = sim::generatrix_curve(std::get<sim::RevolutionShape>(vase.shape));
   const std::string finish = finish_text(scene, vase.surface);
   std::string points;
@@ -70,7 +70,7 @@ std::string povray_text(const sim::Scene& scene, int width, int height) {
              vector_text(view.target), vector_text(scene.lights.front().position),
              vector_text(scene.lights.front().intensity), vector_text(scene.background)) +
          vase_text(scene) +
-         fmt::format("plane {{ z, 0 {} }}\n", finish_text(scene, scene.object.sons[1].surface));
+         fmt::format("plane {{ z, 0 {} }}\n", finish_text(scene, scene.object.children[1].surface));
 }
 
 /// Processor time of the plain firmware: packing, preprocessing, synthesis.

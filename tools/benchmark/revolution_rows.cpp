@@ -1,4 +1,4 @@
-#include "firmware/generatrix.hpp"
+#include "firmware/primitives/generatrix.hpp"
 #include "tools/benchmark/ray_timing.hpp"
 #include "tools/benchmark/rows.hpp"
 

@@ -1,10 +1,10 @@
 #include "tools/benchmark/rows.hpp"
 
-#include "firmware/counted.hpp"
-#include "sim/description/description_loader.hpp"
+#include "firmware/arithmetic/counted.hpp"
+#include "sim/database/frame_synthesis.hpp"
 #include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
-#include "sim/scene/frame_synthesis.hpp"
+#include "sim/scene/description_loader.hpp"
 #include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/median.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "sim/scene/frame_synthesis.hpp"
+#include "sim/database/frame_synthesis.hpp"
 #include "tools/benchmark/rows.hpp"
 
 /// Unions of many bodies: what a ray costs, and what their tree does.
@@ -44,18 +44,18 @@ std::vector<sim::Object> bodies(int count, Filling filling) {
   return result;
 }
 
-sim::Object union_of(std::vector<sim::Object> sons) {
+sim::Object union_of(std::vector<sim::Object> children) {
   sim::Object object;
   object.kind = sim::ObjectKind::union_of;
-  object.sons = std::move(sons);
+  object.children = std::move(children);
   return object;
 }
 
 /// Unions of two, one within the other: their order is kept.
-sim::Object chained(const std::vector<sim::Object>& sons) {
-  sim::Object object = sons.front();
-  for (std::size_t i = 1; i < sons.size(); ++i) {
-    object = union_of({std::move(object), sons[i]});
+sim::Object chained(const std::vector<sim::Object>& children) {
+  sim::Object object = children.front();
+  for (std::size_t i = 1; i < children.size(); ++i) {
+    object = union_of({std::move(object), children[i]});
   }
   return object;
 }

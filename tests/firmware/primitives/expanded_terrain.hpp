@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "firmware/primitives/terrain.hpp"
-#include "firmware/terrain_parameters.hpp"
+#include "firmware/primitives/terrain_parameters.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Terrains with all their triangles, made level by level: what those made along a ray must be.

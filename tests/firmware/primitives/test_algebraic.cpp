@@ -210,7 +210,7 @@ TEMPLATE_TEST_CASE("The polynomial of a chord has the surface's value at every p
       const Real value = firmware::value_at(control_polygon_of(along), static_cast<Real>(k / 10.0));
       CAPTURE(i, k, along.degree, sum);
       REQUIRE(std::fabs(static_cast<double>(value) - value_at(solid, p)) <=
-              static_cast<double>(spacings<Real>(8)) * sum);
+              static_cast<double>(ulps<Real>(8)) * sum);
     }
   }
 }
@@ -252,7 +252,7 @@ void check_spans(const Solid& solid, const Ray<double>& ray, double margin) {
 TEMPLATE_TEST_CASE("The spans of a ray are where the polynomial is negative in the cube", "", float,
                    double) {
   Random random(2103);
-  const double margin = 1000 * static_cast<double>(spacings<TestType>(1));
+  const double margin = 1000 * static_cast<double>(ulps<TestType>(1));
   for (int i = 0; i < 300; ++i) {
     const Solid solid = random_solid(random);
     for (int k = 0; k < 12; ++k) {
@@ -286,7 +286,7 @@ TEMPLATE_TEST_CASE("Quadrics given by coefficients are the sphere and the cylind
                    double) {
   using Real = TestType;
   Random random(2105);
-  const double tolerance = 200 * static_cast<double>(spacings<Real>(1));
+  const double tolerance = 200 * static_cast<double>(ulps<Real>(1));
   const Solid ball = superquadric(2, 1);
   const Solid tube = solid_of({{2, 0, 0, 1}, {0, 2, 0, 1}, {0, 0, 0, -1}});
   for (int i = 0; i < 5000; ++i) {
@@ -396,7 +396,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
                    float, double) {
   using Real = TestType;
   Random random(2107);
-  const double rounding = static_cast<double>(spacings<Real>(1));
+  const double rounding = static_cast<double>(ulps<Real>(1));
   int checked = 0;
   for (int i = 0; i < 300; ++i) {
     const Solid solid = random_solid(random);
@@ -435,7 +435,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
 TEMPLATE_TEST_CASE("A point off the surface settles on it nearby", "", float, double) {
   using Real = TestType;
   Random random(2110);
-  const double rounding = static_cast<double>(spacings<Real>(1));
+  const double rounding = static_cast<double>(ulps<Real>(1));
   int checked = 0;
   for (int i = 0; i < 3000; ++i) {
     const Solid solid = random_solid(random);
@@ -486,14 +486,14 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex solid does not meet it again", ""
     const FacePoint<Real> on_face = settle(p, found.hits[0].face, parameters);
     const Vector<Real>& settled = on_face.position;
     const Vector<Real> outward = normalize(on_face.normal);
-    const Vector<Real> start = settled + outward * spacings<Real>(32);
+    const Vector<Real> start = settled + outward * ulps<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =
         random.direction_around(glm::normalize(axis), random.magnitude(1e-6, 1));
     const Hits<Real> again = hits_on<Real>(solid, Vector<double>(start), away);
     for (int k = 0; k < again.count; ++k) {
       CAPTURE(i, k, glm::dot(axis, away));
-      REQUIRE(again.hits[k].distance <= spacings<Real>(64));
+      REQUIRE(again.hits[k].distance <= ulps<Real>(64));
     }
   }
 }

@@ -20,7 +20,7 @@ ControlNet parallelogram(const Vector<double>& corner, const Vector<double>& u,
 TEMPLATE_TEST_CASE("A flat patch is met where its plane is", "", float, double) {
   using Real = TestType;
   Random random(2202);
-  const double rounding = static_cast<double>(spacings<Real>(1));
+  const double rounding = static_cast<double>(ulps<Real>(1));
   int met = 0;
   for (int i = 0; i < 6000; ++i) {
     const Vector<double> corner = random.in_cube(0.3);
@@ -69,7 +69,7 @@ ControlNet paraboloid(double a, double b, double c) {
 TEMPLATE_TEST_CASE("A quadric graph is met where its equation says", "", float, double) {
   using Real = TestType;
   Random random(2203);
-  const double rounding = static_cast<double>(spacings<Real>(1));
+  const double rounding = static_cast<double>(ulps<Real>(1));
   int met = 0;
   for (int i = 0; i < 8000; ++i) {
     const double a = random.uniform(-0.5, 0.5);

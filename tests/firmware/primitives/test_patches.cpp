@@ -108,7 +108,7 @@ TEMPLATE_TEST_CASE("Chords in all directions give volume and area of a closed se
 TEMPLATE_TEST_CASE("A cube of flat patches is the box, also along its faces", "", float, double) {
   using Real = TestType;
   Random random(2206);
-  const double tolerance = static_cast<double>(spacings<Real>(100));
+  const double tolerance = static_cast<double>(ulps<Real>(100));
   for (const SearchMethod::Value method : k_methods) {
     const auto parameters = trial::parameters_of<Real>(trial::flat_cube(0.75), true, method);
     for (int i = 0; i < 4000; ++i) {
@@ -166,7 +166,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the patch, within the bounds, with nor
                    "", float, double) {
   using Real = TestType;
   Random random(2208);
-  const double rounding = static_cast<double>(spacings<Real>(1));
+  const double rounding = static_cast<double>(ulps<Real>(1));
   int checked = 0;
   for (int i = 0; i < 60; ++i) {
     const bool is_solid = random.coin();
@@ -189,8 +189,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the patch, within the bounds, with nor
         const double slope = glm::dot(outward, way);
         // Rounding along the ray moves off a surface that is grazed less.
         REQUIRE(glm::length(Vector<double>(settled) - p) < 300 * rounding);
-        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
-                spacings<Real>(4));
+        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <= ulps<Real>(4));
         if (std::fabs(slope) > 0.01) {
           ++checked;
           const bool is_front = is_solid ? n % 2 == 0 : true;
@@ -222,7 +221,7 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex set does not meet it again", "", 
       const FacePoint<Real> on_face = settle(p, hit.face, parameters.data());
       const Vector<Real>& settled = on_face.position;
       const Vector<Real> outward = on_face.normal;
-      const Vector<Real> start = settled + outward * spacings<Real>(16);
+      const Vector<Real> start = settled + outward * ulps<Real>(16);
       const Vector<double> away = random.direction_around(glm::normalize(Vector<double>(outward)),
                                                           random.magnitude(1e-6, 1));
       const Hits<Real> again = hits_on<Real>(parameters, {Vector<double>(start), away});

@@ -73,7 +73,7 @@ bool is_span_right(PrimitiveKind kind, double top, const Vector<double>& origin,
 
 TEMPLATE_TEST_CASE("The span of a random ray is what lies inside", "", float, double) {
   Random random(1401);
-  const double margin = 50 * static_cast<double>(spacings<TestType>(1));
+  const double margin = 50 * static_cast<double>(ulps<TestType>(1));
   for (int i = 0; i < 4000; ++i) {
     const PrimitiveKind kind = k_kinds[i % 5];
     const double top = random.coin() ? 0 : random.uniform(0.05, 0.95);
@@ -109,7 +109,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
                    float, double) {
   using Real = TestType;
   Random random(1402);
-  const double rounding = 8 * static_cast<double>(spacings<Real>(1));
+  const double rounding = 8 * static_cast<double>(ulps<Real>(1));
   for (int i = 0; i < 10000; ++i) {
     const PrimitiveKind kind = k_kinds[i % 5];
     const Primitive<Real>& primitive = primitive_of<Real>(kind);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "firmware/extent.hpp"
-#include "firmware/outline.hpp"
+#include "firmware/polynomials/spline.hpp"
 #include "firmware/primitives/box.hpp"
-#include "firmware/spline.hpp"
+#include "firmware/primitives/outline.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
@@ -275,7 +275,7 @@ TEMPLATE_TEST_CASE("A square prism is the box", "", float, double) {
   using Real = TestType;
   Random random(2203);
   const Solid cube = solid_of({square(1)});
-  const double tolerance = 100 * static_cast<double>(spacings<Real>(1));
+  const double tolerance = 100 * static_cast<double>(ulps<Real>(1));
   for (int i = 0; i < 20000; ++i) {
     const Ray<double> ray = random_ray(random, cube, 4);
     const Ray<Real> rounded{Vector<Real>(ray.origin), Vector<Real>(ray.direction)};
@@ -444,8 +444,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
         const Vector<double> on(settled);
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         REQUIRE(place_of(solid, on).distance < 5e-5);
-        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <=
-                spacings<Real>(4));
+        REQUIRE(magnitude(higher(box.low, lower(settled, box.high)) - settled) <= ulps<Real>(4));
         const Vector<Real> outward = on_face.normal;
         REQUIRE(length(outward) > Real(0));
         const double step = 1e-3;
@@ -483,14 +482,14 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex prism does not meet it again", ""
     const FacePoint<Real> on_face = settle(p, found.hits[0].face, parameters);
     const Vector<Real>& settled = on_face.position;
     const Vector<Real> outward = normalize(on_face.normal);
-    const Vector<Real> start = settled + outward * spacings<Real>(32);
+    const Vector<Real> start = settled + outward * ulps<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =
         random.direction_around(glm::normalize(axis), random.magnitude(1e-6, 1));
     const Hits<Real> again = hits_on<Real>(solid, Vector<double>(start), away);
     for (int k = 0; k < again.count; ++k) {
       CAPTURE(i, k, glm::dot(axis, away));
-      REQUIRE(again.hits[k].distance <= spacings<Real>(64));
+      REQUIRE(again.hits[k].distance <= ulps<Real>(64));
     }
   }
 }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "firmware/extent.hpp"
-#include "firmware/generatrix.hpp"
 #include "firmware/primitives/cylinder.hpp"
+#include "firmware/primitives/generatrix.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
@@ -213,7 +213,7 @@ double passing(const Ray<double>& ray) {
 
 TEMPLATE_TEST_CASE("A straight generatrix parallel to the axis is a cylinder", "", float, double) {
   Random random(1803);
-  const double tolerance = 200 * static_cast<double>(spacings<TestType>(1));
+  const double tolerance = 200 * static_cast<double>(ulps<TestType>(1));
   for (int sections = 1; sections <= 7; ++sections) {
     const Solid solid = solid_of(straight(1, 1, sections), true);
     for (int i = 0; i < 2000; ++i) {
@@ -300,7 +300,7 @@ TEMPLATE_TEST_CASE("Settled points lie on the surface, within its bounds, with o
         CAPTURE(i, k, j, static_cast<int>(hit.face), on.x, on.y, on.z);
         REQUIRE(place_of(solid, on).distance < 1e-5);
         REQUIRE(magnitude(higher(box.low, lower(settled.position, box.high)) - settled.position) <=
-                spacings<Real>(4));
+                ulps<Real>(4));
         const Vector<Real>& outward = settled.normal;
         REQUIRE(length(outward) > Real(0));
         const double step = 1e-3;
@@ -336,14 +336,14 @@ TEMPLATE_TEST_CASE("A ray that leaves a convex solid does not meet it again", ""
         Vector<Real>(target - direction * 3.0) + Vector<Real>(direction) * found.hits[0].distance;
     const FacePoint<Real> settled = settle(p, found.hits[0].face, parameters);
     const Vector<Real> outward = normalize(settled.normal);
-    const Vector<Real> start = settled.position + outward * spacings<Real>(32);
+    const Vector<Real> start = settled.position + outward * ulps<Real>(32);
     const Vector<double> axis(outward);
     const Vector<double> away =
         random.direction_around(glm::normalize(axis), random.magnitude(1e-6, 1));
     const Hits<Real> again = hits_on<Real>(barrel, Vector<double>(start), away);
     for (int k = 0; k < again.count; ++k) {
       CAPTURE(i, k, glm::dot(axis, away));
-      REQUIRE(again.hits[k].distance <= spacings<Real>(64));
+      REQUIRE(again.hits[k].distance <= ulps<Real>(64));
     }
   }
 }

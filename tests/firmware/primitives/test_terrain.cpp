@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "firmware/counted.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "firmware/extent.hpp"
 #include "tests/firmware/primitives/expanded_terrain.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
@@ -97,7 +97,7 @@ TEMPLATE_TEST_CASE("The spans of a ray are what lies below the fully expanded su
                    double) {
   Random random(2001);
   // Across a steep surface a rounding of x counts as many times.
-  const double margin = 4000 * static_cast<double>(spacings<TestType>(1));
+  const double margin = 4000 * static_cast<double>(ulps<TestType>(1));
   for (int i = 0; i < 60; ++i) {
     const Land land = random_land(random, i % 8);
     for (int k = 0; k < 60; ++k) {
@@ -253,7 +253,7 @@ TEMPLATE_TEST_CASE("Settled points of a terrain lie on it, with outward normals"
                    double) {
   using Real = TestType;
   Random random(2009);
-  const double near = 4000 * static_cast<double>(spacings<Real>(1));
+  const double near = 4000 * static_cast<double>(ulps<Real>(1));
   int faces = 0;
   for (int i = 0; i < 60; ++i) {
     const Land land = random_land(random, i % 6);
@@ -275,7 +275,7 @@ TEMPLATE_TEST_CASE("Settled points of a terrain lie on it, with outward normals"
         REQUIRE(glm::length(on - p) < near);
         REQUIRE(std::fabs(outside_by(land, on)) < near);
         REQUIRE(magnitude(higher(box.low, lower(settled.position, box.high)) - settled.position) <=
-                spacings<Real>(4));
+                ulps<Real>(4));
         const Vector<double> outward(normalize(settled.normal));
         const Vector<double> away = outward * (4 * near);
         if (hit.face == k_surface) {
@@ -315,7 +315,7 @@ TEMPLATE_TEST_CASE("A ray that leaves a plane terrain does not meet it again", "
     const Vector<Real> p(Vector<double>(random.uniform(0.01, 0.99), random.uniform(0.01, 0.99), 0));
     const FacePoint<Real> settled = settle(p, k_surface, parameters);
     const Vector<Real> outward = normalize(settled.normal);
-    const Vector<Real> start = settled.position + outward * spacings<Real>(16);
+    const Vector<Real> start = settled.position + outward * ulps<Real>(16);
     const Vector<double> away =
         random.direction_around(glm::normalize(Vector<double>(outward)), random.magnitude(1e-6, 1));
     const Hits<Real> again = hits_on<Real>(land, Vector<double>(start), away);
@@ -350,7 +350,7 @@ TEMPLATE_TEST_CASE("A free ray from any point of a rough terrain, also from its 
       }
       const FacePoint<Real> settled = settle(Vector<Real>(place), k_surface, parameters);
       const Vector<Real> outward = normalize(settled.normal);
-      const Vector<Real> start = settled.position + outward * spacings<Real>(32);
+      const Vector<Real> start = settled.position + outward * ulps<Real>(32);
       const Vector<double> away =
           random.direction_around(glm::normalize(Vector<double>(outward)), random.uniform(0.1, 1));
       const Vector<double> on(place.x, place.y, land.finest().height(place.x, place.y));

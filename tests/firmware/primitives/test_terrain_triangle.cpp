@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "firmware/counted.hpp"
+#include "firmware/arithmetic/counted.hpp"
 #include "tests/firmware/primitives/expanded_terrain.hpp"
 
 namespace maquette::firmware::terrain {
@@ -55,7 +55,7 @@ TEMPLATE_TEST_CASE("A terrain has one height over each point, the same for every
       const double lazy = static_cast<double>(height(triangle, cell_point(triangle, x, y)));
       CAPTURE(i, k, column, row);
       REQUIRE(std::fabs(lazy - land.finest().at(column, row)) <
-              16 * static_cast<double>(spacings<Real>(1)));
+              16 * static_cast<double>(ulps<Real>(1)));
     }
   }
 }

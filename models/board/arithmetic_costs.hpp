@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/arithmetic/work.hpp"
+
+namespace maquette::models {
+
+/// Cost of one operation on a processor: clocks without wait states, and the 16-bit bus reads and
+/// writes among them, each of which pays the RAM's wait states (hardware.md section 4). Means over
+/// operands may be fractional.
+struct OperationCost {
+  double clocks = 0;
+  double reads = 0;
+  double writes = 0;
+};
+
+/// One table of models/arithmetic/: the cost of every operation class, and which of them are calls
+/// of the arithmetic package (they pay the board's call overhead; in-line ones do not).
+struct ArithmeticCosts {
+  std::array<OperationCost, firmware::k_operation_count> operations{};
+  std::array<bool, firmware::k_operation_count> called{};
+  std::int64_t package_bytes = 0;  ///< code of the package in a board's RAM
+};
+
+}  // namespace maquette::models

@@ -1,0 +1,72 @@
+#include "models/board/work_cost.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace maquette::models {
+
+namespace {
+
+constexpr double k_milli = 1e3;
+constexpr std::int64_t k_clock_per_milliclock = 1'000;
+constexpr std::int64_t k_ps_millihertz = 1'000'000'000'000'000;
+
+double clocks_with_waits(const OperationCost& cost, const Kvm02Parameters& board) {
+  return cost.clocks + cost.reads * static_cast<double>(board.ram_read_wait_clocks) +
+         cost.writes * static_cast<double>(board.ram_write_wait_clocks);
+}
+
+Period milliclock(const Kvm02Parameters& board) {
+  const auto millihertz = std::llround(board.clock_hz * k_milli);
+  return {k_ps_millihertz / k_clock_per_milliclock, millihertz};
+}
+
+// Of a refresh period P the processor has P - c T, T being its clock period: P / (P - c T), both
+// times the clock's frequency.
+Period elapsed_per_processor_ps(const Kvm02Parameters& board) {
+  if (board.refresh_period <= Duration::zero()) {
+    return {1, 1};
+  }
+  const std::int64_t millihertz = std::llround(board.clock_hz * k_milli);
+  const std::int64_t divisor = std::gcd(millihertz, k_ps_millihertz);
+  const std::int64_t whole = board.refresh_period.count() * (millihertz / divisor);
+  const std::int64_t stolen = board.refresh_clocks * (k_ps_millihertz / divisor);
+  if (stolen < 0 || stolen >= whole) {
+    throw std::invalid_argument("RAM refresh must leave the processor some of its time");
+  }
+  return {whole, whole - stolen};
+}
+
+}  // namespace
+
+WorkCost::WorkCost(const Kvm02Parameters& board)
+    : datum_milliclocks_(std::llround(clocks_with_waits(board.database_read, board) * k_milli)),
+      milliclock_(milliclock(board)),
+      elapsed_per_processor_ps_(elapsed_per_processor_ps(board)) {
+  const double call = clocks_with_waits(board.call_overhead, board);
+  for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
+    const double clocks = clocks_with_waits(board.arithmetic.operations[operation], board) +
+                          (board.arithmetic.called[operation] ? call : 0);
+    if (!(clocks >= 0)) {
+      throw std::invalid_argument(std::string("the cost of ") +
+                                  firmware::k_operation_names[operation] + " must not be negative");
+    }
+    milliclocks_[operation] = std::llround(clocks * k_milli);
+  }
+  if (board.database == DatabasePlace::shared &&
+      milliclocks(firmware::Operation::load) < datum_milliclocks_) {
+    throw std::invalid_argument("board.database_read must not cost more than a load");
+  }
+}
+
+Duration WorkCost::duration(const firmware::Work& work, std::int64_t bus_loads) const {
+  std::int64_t milliclocks = -datum_milliclocks_ * bus_loads;
+  for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
+    milliclocks += milliclocks_[operation] * work.counts[operation];
+  }
+  return elapsed_per_processor_ps_.times(milliclock_.times(milliclocks).count());
+}
+
+}  // namespace maquette::models

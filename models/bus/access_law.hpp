@@ -1,0 +1,21 @@
+#pragma once
+
+#include "models/bus/period.hpp"
+
+namespace maquette::models {
+
+/// How long an access of a bus master lasts, from its grant (address strobe) to the release of the
+/// bus, by the slave's access time (data strobe to acknowledge).
+struct AccessLaw {
+  Period clock;           ///< of the master's processor
+  Clocks access_clocks;   ///< of an access to a slave that costs no wait
+  Duration access_slack;  ///< slave access time up to which there is none
+
+  /// A processor that waits counts whole clocks: access_clocks, and one more for each clock begun
+  /// beyond the slack (VM02 data sheet p. 2-57).
+  [[nodiscard]] Duration duration(Duration slave_access_time) const {
+    return clock.times(access_clocks + clock.count_to_cover(slave_access_time - access_slack));
+  }
+};
+
+}  // namespace maquette::models

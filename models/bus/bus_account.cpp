@@ -1,0 +1,114 @@
+#include "models/bus/bus_account.hpp"
+
+#include <algorithm>
+
+namespace maquette::models {
+
+void BusAccount::add_master() {
+  statistics_.masters.emplace_back();
+  const std::size_t masters = statistics_.masters.size();
+  for (auto* matrix : {&statistics_.waited_for, &standing_}) {
+    matrix->emplace_back();
+    for (auto& row : *matrix) {
+      row.resize(masters);
+    }
+  }
+  statistics_.queue_times.resize(masters);
+  queued_.resize(masters);
+}
+
+// ---- queue length ----
+
+void BusAccount::pass_queue_time(Instant to) {
+  if (queue_length_ > 0) {
+    statistics_.queue_times[queue_length_ - 1] += to - queue_known_to_;
+  }
+  queue_known_to_ = to;
+}
+
+void BusAccount::decide(Instant instant, const Contenders& standing) {
+  const auto pass_grant = [this](Instant to) {
+    if (grant_ <= to) {
+      pass_queue_time(grant_);
+      --queue_length_;
+      grant_ = k_never;
+    }
+  };
+  for (const Contender& one : standing) {
+    if (!queued_[static_cast<std::size_t>(one.master)]) {
+      const Instant from = std::max(one.request, queue_known_to_);
+      pass_grant(from);
+      pass_queue_time(from);
+      ++queue_length_;
+      queued_[static_cast<std::size_t>(one.master)] = true;
+    }
+  }
+  pass_grant(instant);
+  pass_queue_time(instant);
+}
+
+// ---- who waits for whom ----
+
+void BusAccount::occupy(int master, Instant from, Instant to, const Contenders& standing) {
+  for (const Contender& other : standing) {
+    if (other.master != master) {
+      found_occupied(other.master, master, to - std::max(other.request, from));
+    }
+  }
+}
+
+void BusAccount::found_occupied(int master, int occupant, Duration rest) {
+  standing_[static_cast<std::size_t>(master)][static_cast<std::size_t>(occupant)] += rest;
+}
+
+void BusAccount::settle(const BusAccess& access) {
+  const auto index = static_cast<std::size_t>(access.master);
+  for (std::size_t other = 0; other < standing_.size(); ++other) {
+    statistics_.waited_for[index][other] += standing_[index][other];
+    standing_[index][other] = Duration::zero();
+  }
+}
+
+// ---- accesses ----
+
+void BusAccount::record(const BusAccess& access, Instant decision) {
+  const auto index = static_cast<std::size_t>(access.master);
+  BusMasterStatistics& master = at(access.master);
+  const Duration wait = access.grant - access.request;
+  const Duration arbitration = access.grant - decision;
+  ++master.transfers;
+  master.busy += access.end - access.grant;
+  master.arbitration += arbitration;
+  master.waited += wait;
+  master.waits.add(wait);
+  if (wait > master.longest_wait) {
+    record_longest_wait(access);
+  }
+  if (decision > access.request) {
+    ++master.delayed;
+    settle(access);
+  }
+  statistics_.waited_for[index][index] += arbitration;
+  queued_[index] = false;
+  grant_ = access.grant;
+}
+
+void BusAccount::record_longest_wait(const BusAccess& access) {
+  BusMasterStatistics& master = at(access.master);
+  const auto& row = standing_[static_cast<std::size_t>(access.master)];
+  const auto most = std::max_element(row.begin(), row.end());
+  master.longest_wait = access.grant - access.request;
+  master.longest_wait_request = access.request;
+  master.longest_wait_behind =
+      *most > Duration::zero() ? static_cast<int>(most - row.begin()) : k_nobody;
+}
+
+BusStatistics BusAccount::statistics() const {
+  BusAccount settled = *this;
+  if (grant_ != k_never) {
+    settled.pass_queue_time(grant_);
+  }
+  return settled.statistics_;
+}
+
+}  // namespace maquette::models

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+
+#include "models/bus/arbitration.hpp"
+#include "models/bus/bus_account.hpp"
+#include "models/bus/instant.hpp"
+#include "models/bus/versabus_parameters.hpp"
+
+namespace maquette::models {
+
+/// Who has the bus next, and from when on.
+struct BusGrant {
+  int master;
+  Instant request;
+  Instant decision;  ///< its arbitration begins; the grant itself when it needed none
+  Instant grant;
+  bool kept = false;  ///< until the decision, the master of the access before kept the bus
+};
+
+/// How the bus behaves: which of the requests is granted next, and when. One implementation per
+/// level of abstraction; the bus itself does not know which one it has.
+class BusArbiter {
+ public:
+  BusArbiter() = default;
+  BusArbiter(const BusArbiter&) = delete;
+  BusArbiter& operator=(const BusArbiter&) = delete;
+  BusArbiter(BusArbiter&&) = delete;
+  BusArbiter& operator=(BusArbiter&&) = delete;
+  virtual ~BusArbiter() = default;
+
+  /// A request is known, one per master at a time.
+  virtual void enter(const Contender& contender) = 0;
+
+  /// When the next grant is decided on, by the requests that are known; k_never without any.
+  [[nodiscard]] virtual Instant next_decision() const = 0;
+
+  /// Whether that decision must wait until no request up to its instant is unknown any more.
+  [[nodiscard]] virtual bool heeds_unknown() const = 0;
+
+  /// Decides at next_decision(), which is not k_never; the request stands no more.
+  virtual BusGrant decide() = 0;
+
+  /// The access of the last grant ends; its master keeps the bus until its next one if `keeps`.
+  virtual void release(const BusGrant& granted, Instant end, bool keeps) = 0;
+};
+
+/// The arbiter of the bus's level. It keeps the account of queues and occupation, by reference.
+/// Throws std::invalid_argument for a negative quantum.
+[[nodiscard]] std::unique_ptr<BusArbiter> make_arbiter(const VersaBusParameters& parameters,
+                                                       BusAccount& account);
+
+}  // namespace maquette::models

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <tlm_utils/simple_target_socket.h>
+#include <cstdint>
+#include <optional>
+#include <systemc>
+#include <tlm>
+#include <vector>
+
+#include "models/bus/instant.hpp"
+#include "models/display/frame_memory_parameters.hpp"
+#include "models/display/picture.hpp"
+#include "models/display/pixel_format.hpp"
+#include "models/display/video_slots.hpp"
+#include "models/display/video_timing.hpp"
+
+namespace maquette::models {
+
+/// One write into the frame memory: when it was done, and what the pixel was from then on.
+struct PixelWriteRecord {
+  Instant instant;
+  std::uint32_t pixel;  ///< in row-major order
+  std::uint32_t rgb;    ///< as picture gives it
+};
+
+/// The frame memory: planes of red, green and blue bits, perhaps of depth, a bus port and a video
+/// port. On the bus, pixel p of the row-major order is the four bytes from 4 p on (PixelFormat).
+///
+/// Assumption: with several bus ports the memory is interleaved so that they do not delay one
+/// another; the video reader's slots delay each of them.
+///
+/// Assumption: before the frame the video port clears the memory to the background during one
+/// field, at no cost to the boards. A write is done at the end of its memory access.
+class FrameMemory : public sc_core::sc_module {
+ public:
+  static constexpr unsigned k_pixel_bytes = 4;
+
+  /// Throws std::invalid_argument as PixelFormat, VideoTiming and VideoSlots. `background` is
+  /// 0xRRGGBB. `keep_log` remembers every write.
+  FrameMemory(const sc_core::sc_module_name& name, const FrameMemoryParameters& parameters,
+              const VideoTiming& timing, std::uint32_t background, bool keep_log);
+
+  sc_core::sc_vector<tlm_utils::simple_target_socket<FrameMemory>> bus_ports;
+
+  [[nodiscard]] std::uint64_t size_bytes() const { return stored_.size() * k_pixel_bytes; }
+
+  /// What the memory holds at the end.
+  [[nodiscard]] Picture picture() const;
+
+  /// The depths it holds at the end, row-major; 0 without depth planes. The background is farthest.
+  [[nodiscard]] std::vector<std::uint16_t> depths() const;
+
+  /// What it held at `instant`. Throws std::logic_error when no log was kept.
+  [[nodiscard]] Picture picture_at(Instant instant) const;
+
+  /// What it held before the first write.
+  [[nodiscard]] Picture background() const;
+
+  /// Every write in the order of time. Throws std::logic_error when no log was kept.
+  [[nodiscard]] const std::vector<PixelWriteRecord>& log() const;
+
+  /// Whether every byte of the pixel has been written exactly once / not at all.
+  [[nodiscard]] bool written_once(int column, int row) const;
+  [[nodiscard]] bool untouched(int column, int row) const;
+
+ private:
+  void b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
+  unsigned transport_dbg(tlm::tlm_generic_payload& payload);
+  [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;
+  void remember(const PixelWriteRecord& write);
+  void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
+  void count_write(std::uint64_t address, unsigned bytes);
+  void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;
+
+  FrameMemoryParameters parameters_;
+  std::optional<VideoSlots> slots_;
+  PixelFormat format_;
+  std::uint32_t background_;
+  sc_core::sc_time unhindered_;             // an access that no slot delays
+  std::vector<std::uint32_t> stored_;       // as PixelFormat, bits without a plane zero
+  std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
+  std::optional<std::vector<PixelWriteRecord>> log_;
+};
+
+}  // namespace maquette::models

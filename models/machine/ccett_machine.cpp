@@ -1,0 +1,199 @@
+#include "models/machine/ccett_machine.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "models/bus/kernel_time.hpp"
+
+namespace maquette::models {
+
+namespace {
+
+constexpr std::size_t k_long_bytes = 4;
+constexpr std::uint64_t k_least_block = 0x40000;
+constexpr std::uint64_t k_least_frame_base = 0x800000;
+
+// The kernel only renames the second one, with a warning.
+const sc_core::sc_module_name& with_unique_names(const sc_core::sc_module_name& name) {
+  sc_core::sc_report_handler::set_actions(sc_core::SC_ID_INSTANCE_EXISTS_, sc_core::SC_THROW);
+  return name;
+}
+
+std::uint64_t ram_block(const Kvm02Parameters& board) {
+  std::uint64_t block = k_least_block;
+  while (block < static_cast<std::uint64_t>(board.ram_bytes)) {
+    block *= 2;
+  }
+  return block;
+}
+
+bool shares_something(const MachineParameters& parameters) {
+  return parameters.allotment.assignment == Assignment::on_demand ||
+         parameters.board.database == DatabasePlace::shared;
+}
+
+std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
+
+void check(const MachineParameters& parameters, const FrameSetup& setup) {
+  const PixelRectangle& zone = setup.useful_zone;
+  if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
+      zone.column0 + zone.width > parameters.frame_memory.width ||
+      zone.row0 + zone.height > parameters.frame_memory.height) {
+    throw std::invalid_argument("the useful zone must lie within the frame memory");
+  }
+  if (!setup.images.empty() && setup.images.size() != parameters.boards.size()) {
+    throw std::invalid_argument("there must be one image per board");
+  }
+  if (parameters.allotment.assignment == Assignment::on_demand &&
+      parameters.frame_memory.ports > 1) {
+    throw std::invalid_argument("units on demand need a frame memory of one port");
+  }
+  if ((parameters.board.database == DatabasePlace::shared) == setup.shared_database.empty()) {
+    throw std::invalid_argument("a shared database must be given, and only when it is shared");
+  }
+  for (const auto& image : setup.images) {
+    if (image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
+      throw std::invalid_argument("a board's image is larger than its RAM");
+    }
+  }
+}
+
+}  // namespace
+
+CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
+                           PixelSource& source, const FrameSetup& setup)
+    : sc_module(with_unique_names(name)),
+      zone_(setup.useful_zone),
+      allotment_(parameters.allotment, zone_, static_cast<int>(parameters.boards.size())),
+      start_("start"),
+      timing_(parameters.video, parameters.frame_memory.width, parameters.frame_memory.height),
+      frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
+                    setup.keep_log) {
+  check(parameters, setup);
+  const std::uint64_t block = ram_block(parameters.board);
+  const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
+  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
+                          PixelFormat(parameters.frame_memory)};
+  const auto ports = static_cast<std::size_t>(parameters.frame_memory.ports);
+  std::vector<Backplane> backplanes;
+  for (std::size_t port = 0; port < ports; ++port) {
+    buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
+    buses_[port]->attach_slave(frame_memory_.bus_ports[port],
+                               {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
+    backplanes.push_back({*buses_[port], {}, {}});
+  }
+  const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block,
+                            static_cast<std::int64_t>(setup.shared_database.size())};
+
+  if (shares_something(parameters)) {
+    std::vector<unsigned char> content(SharedWindow::k_header_bytes);
+    content.insert(content.end(), setup.shared_database.begin(), setup.shared_database.end());
+    content.resize((content.size() + k_long_bytes - 1) / k_long_bytes * k_long_bytes);
+    shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size(),
+                           parameters.frame_memory.ports);
+    for (std::size_t port = 0; port < ports; ++port) {
+      buses_[port]->attach_slave(
+          shared_memory_->bus_ports[port],
+          {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
+    }
+    if (!setup.images.empty()) {
+      backplanes[0].images.push_back({shared.base, std::move(content)});
+    }
+  }
+  BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};
+  if (parameters.allotment.assignment == Assignment::on_demand) {
+    share.claim = parameters.allotment.claim;
+  }
+  for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
+    const std::uint64_t ram_base = block * (index + 1);
+    Backplane& backplane = backplanes[index % ports];
+    share.first = static_cast<std::int64_t>(index);
+    boards_.push_back(std::make_unique<Kvm02>(
+        ("board" + std::to_string(index)).c_str(), parameters.board,
+        BoardSite{backplane.bus, parameters.boards[index], ram_base, frame, shared}, share, source,
+        start_));
+    backplane.boards.push_back(boards_.back()->master());
+    if (!setup.images.empty()) {
+      backplane.images.push_back({ram_base, setup.images[index]});
+    }
+  }
+  host_ = std::make_unique<Host>("host", parameters.host, parameters.board, std::move(backplanes),
+                                 start_);
+}
+
+void CcettMachine::observe_bus(const std::function<void(const BusAccess&)>& observer) {
+  for (std::size_t port = 0; port < buses_.size(); ++port) {
+    buses_[port]->observe([this, observer, port](BusAccess access) {
+      const auto board = port + static_cast<std::size_t>(access.master) * buses_.size();
+      access.master = static_cast<int>(std::min(board, boards_.size()));
+      observer(access);
+    });
+  }
+}
+
+std::optional<Instant> CcettMachine::finished() const {
+  Instant last{};
+  for (const auto& board : boards_) {
+    const std::optional<Instant> finished = board->finished();
+    if (!finished) {
+      return std::nullopt;
+    }
+    last = std::max(last, *finished);
+  }
+  return last;
+}
+
+std::int64_t CcettMachine::pixels_taken() const {
+  std::int64_t taken = 0;
+  for (const auto& board : boards_) {
+    taken += board->pixels_taken();
+  }
+  return taken;
+}
+
+// Boards may be ahead of the kernel.
+Instant CcettMachine::furthest_known() const {
+  Instant furthest = kernel_now();
+  for (const auto& board : boards_) {
+    furthest = std::max(furthest, board->accounted());
+  }
+  return furthest;
+}
+
+MachineStatistics CcettMachine::statistics() const {
+  MachineStatistics statistics;
+  const std::optional<Instant> finish = finished();
+  const Instant end = finish.value_or(furthest_known());
+  statistics.has_finished = finish.has_value();
+  statistics.host = host_->statistics();
+  statistics.load_time = statistics.host.finished.value_or(end);
+  statistics.frame_time = end - statistics.load_time;
+  for (const auto& board : boards_) {
+    statistics.boards.push_back(board->statistics(end));
+  }
+  std::vector<BusStatistics> backplanes;
+  for (const auto& bus : buses_) {
+    backplanes.push_back(bus->statistics());
+  }
+  statistics.bus = combined(backplanes, boards_.size());
+  statistics.backplanes = static_cast<int>(buses_.size());
+  return statistics;
+}
+
+void CcettMachine::verify_frame() const {
+  for (int row = 0; row < timing_.height(); ++row) {
+    for (int column = 0; column < timing_.width(); ++column) {
+      const bool useful = column >= zone_.column0 && column < zone_.column0 + zone_.width &&
+                          row >= zone_.row0 && row < zone_.row0 + zone_.height;
+      if (useful ? !frame_memory_.written_once(column, row)
+                 : !frame_memory_.untouched(column, row)) {
+        throw std::logic_error(
+            "pixel (" + std::to_string(column) + ", " + std::to_string(row) + ") was " +
+            (useful ? "not written exactly once" : "written outside the useful zone"));
+      }
+    }
+  }
+}
+
+}  // namespace maquette::models

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <systemc>
+#include <vector>
+
+#include "models/board/allotment.hpp"
+#include "models/board/kvm02.hpp"
+#include "models/board/pixel_source.hpp"
+#include "models/board/shared_memory.hpp"
+#include "models/bus/versabus.hpp"
+#include "models/display/frame_memory.hpp"
+#include "models/display/video_timing.hpp"
+#include "models/machine/host.hpp"
+#include "models/machine/machine_parameters.hpp"
+
+namespace maquette::models {
+
+/// What a frame is made of, besides the machine and its pixels.
+struct FrameSetup {
+  PixelRectangle useful_zone;    ///< every pixel of it is written once, no other is
+  std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
+  std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
+  std::vector<unsigned char> shared_database;      ///< when boards have no copies
+  bool keep_log = false;                           ///< of the writes, for pictures at an instant
+};
+
+/// Figures of a whole run, exact in ticks.
+struct MachineStatistics {
+  bool has_finished = false;            ///< all boards are done
+  Duration load_time{};                 ///< from instant 0: the host writes the images
+  Duration frame_time{};                ///< from the boards' start to the last one's end
+  std::vector<BoardStatistics> boards;  ///< each one's states sum to frame_time
+  BusStatistics bus;                    ///< masters: boards, then host; all backplanes as one
+  int backplanes = 1;
+  HostStatistics host;
+};
+
+/// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus, or on as many backplanes
+/// as the frame memory has ports, board b on backplane b mod ports. Elaborated by its
+/// constructor; a plain `sc_start` runs it until all boards are done, since nothing in it is
+/// periodic.
+///
+/// Address map: each board's RAM has its own block of 256 Kbyte (VM02 data sheet p. 2-53), or of
+/// the next power of two for a larger RAM, board 0 from the second block on; the frame memory
+/// follows from 8 Mbyte on, or after the boards when there are too many; then, on the next block,
+/// the memory that the boards share, if they share something. Assumption: addresses may grow beyond
+/// the KVM02's 24 bits (the bus has up to 32).
+class CcettMachine : public sc_core::sc_module {
+ public:
+  /// `source` is kept by reference; it has the pixels of the PixelAllotment that parameters and
+  /// useful zone make. From here on a duplicate module name is an error. Throws
+  /// std::invalid_argument for parameters that make no machine, or images that do not fit the
+  /// boards.
+  CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
+               PixelSource& source, const FrameSetup& setup);
+
+  /// Exact for a machine that has finished, also on a kernel that ran longer; of a run that was
+  /// interrupted, up to the furthest instant that its bus has reached.
+  [[nodiscard]] MachineStatistics statistics() const;
+
+  /// Asserts that each pixel of the useful zone has been written exactly once and no other pixel at
+  /// all. Throws std::logic_error that names the first pixel that breaks it.
+  void verify_frame() const;
+
+  /// When the boards started, if the host has loaded them: the frame's instant 0.
+  [[nodiscard]] std::optional<Instant> started() const { return host_->statistics().finished; }
+
+  /// How many pixels the boards have taken so far.
+  [[nodiscard]] std::int64_t pixels_taken() const;
+
+  /// When the last board was done, if all are.
+  [[nodiscard]] std::optional<Instant> finished() const;
+
+  /// Every access from now on is shown to `observer`, with the number of the board, or of the host
+  /// after them, as its master; in the order of time on each backplane.
+  void observe_bus(const std::function<void(const BusAccess&)>& observer);
+
+  [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
+  [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
+  [[nodiscard]] std::size_t backplanes() const { return buses_.size(); }
+  [[nodiscard]] const VersaBus& bus(std::size_t backplane = 0) const { return *buses_[backplane]; }
+
+ private:
+  [[nodiscard]] Instant furthest_known() const;
+
+  PixelRectangle zone_;
+  PixelAllotment allotment_;
+  sc_core::sc_event start_;  // of the boards, by the host
+  VideoTiming timing_;
+  std::vector<std::unique_ptr<VersaBus>> buses_;
+  FrameMemory frame_memory_;
+  std::optional<SharedMemory> shared_memory_;
+  std::vector<std::unique_ptr<Kvm02>> boards_;
+  std::unique_ptr<Host> host_;
+};
+
+}  // namespace maquette::models

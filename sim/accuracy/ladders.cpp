@@ -1,0 +1,36 @@
+#include "sim/accuracy/ladders.hpp"
+
+#include <algorithm>
+
+namespace maquette::sim {
+
+namespace {
+
+bool has_roots(const Object& object) {
+  return object.kind == ObjectKind::revolution ||
+         std::any_of(object.children.begin(), object.children.end(), has_roots);
+}
+
+}  // namespace
+
+std::vector<Ladder> ladders_of(const Scene& scene, const std::vector<std::string>& quanta) {
+  std::vector<Ladder> ladders = {bus_ladder(quanta), number_ladder()};
+  const bool has_secondary_rays = std::any_of(
+      scene.surfaces.begin(), scene.surfaces.end(),
+      [](const Surface& surface) { return surface.specular > 0 || surface.transparent; });
+  if (has_secondary_rays) {
+    ladders.push_back(depth_ladder(scene.ray_tree));
+    ladders.push_back(weight_ladder(scene.ray_tree));
+  }
+  if (has_roots(scene.object)) {
+    ladders.push_back(roots_ladder());
+  }
+  return ladders;
+}
+
+std::vector<std::string> ladder_names() {
+  return {bus_ladder({}).name, number_ladder().name, depth_ladder({}).name, weight_ladder({}).name,
+          roots_ladder().name};
+}
+
+}  // namespace maquette::sim

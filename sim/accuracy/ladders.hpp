@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/accuracy/ladder.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace maquette::sim {
+
+/// Quanta of the decoupled bus unless others are asked for: from below an access (exact) to above
+/// the time of a pixel.
+[[nodiscard]] std::vector<std::string> default_quanta();
+
+/// The bus exact, decoupled by each quantum (a time with its unit), and ideal.
+[[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
+
+/// The picture by the firmware over `float`, as the boards have it, and over `double`.
+[[nodiscard]] Ladder number_ladder();
+
+/// How deep the tree of rays may grow, against a depth beyond which no ray has weight.
+[[nodiscard]] Ladder depth_ladder(const RayTree& scene);
+
+/// Below which weight no ray is cast, against a weight that no level of the picture can show.
+[[nodiscard]] Ladder weight_ladder(const RayTree& scene);
+
+/// How near the roots that give a ray's hits come to the exact ones, against the rounding of the
+/// numbers.
+[[nodiscard]] Ladder roots_ladder();
+
+/// The ladders that a scene has something to vary for.
+[[nodiscard]] std::vector<Ladder> ladders_of(const Scene& scene,
+                                             const std::vector<std::string>& quanta);
+
+/// The names of all ladders that there are.
+[[nodiscard]] std::vector<std::string> ladder_names();
+
+}  // namespace maquette::sim

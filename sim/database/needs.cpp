@@ -1,0 +1,100 @@
+#include "sim/database/needs.hpp"
+
+#include <algorithm>
+
+#include "firmware/primitives/primitive_table.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+template <class Predicate>
+bool any_surface(const std::vector<firmware::Surface<double>>& surfaces, Predicate predicate) {
+  return std::any_of(surfaces.begin(), surfaces.end(), predicate);
+}
+
+bool combines_by(const ObjectTree& tree, firmware::BooleanOperator combination) {
+  return std::any_of(
+      tree.composites.begin(), tree.composites.end(),
+      [combination](const firmware::Composite& c) { return c.combination == combination; });
+}
+
+/// The most bodies that unions within unions put together.
+std::size_t largest_union(const ObjectTree& tree) {
+  std::size_t largest = 0;
+  std::vector<std::size_t> sizes(tree.leaves.size(), 1);
+  for (const firmware::Composite& composite : tree.composites) {
+    const bool is_union = composite.combination == firmware::BooleanOperator::union_of;
+    sizes.push_back(is_union ? sizes[composite.children[0]] + sizes[composite.children[1]] : 1);
+    largest = std::max(largest, sizes.back());
+  }
+  return largest;
+}
+
+}  // namespace
+
+firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
+                         const std::vector<firmware::Surface<double>>& surfaces) {
+  using Packed = firmware::Surface<double>;
+  firmware::Needs needs{};
+  for (const TreeLeaf& leaf : tree.leaves) {
+    needs.primitives[static_cast<int>(leaf.kind)] = true;
+    needs.several_spans =
+        needs.several_spans || !firmware::primitive_of<double>(leaf.kind).is_convex;
+  }
+  needs.unions = combines_by(tree, firmware::BooleanOperator::union_of);
+  needs.large_unions = largest_union(tree) >= k_large_union;
+  needs.intersections = combines_by(tree, firmware::BooleanOperator::intersection);
+  needs.differences = combines_by(tree, firmware::BooleanOperator::difference);
+  needs.diffuse = any_surface(surfaces, [](const Packed& s) { return s.specular < 1; });
+  needs.specular = any_surface(surfaces, [](const Packed& s) { return s.specular > 0; });
+  needs.dielectrics = any_surface(
+      surfaces, [](const Packed& s) { return s.transparent || (s.specular > 0 && !s.metal); });
+  needs.metals = any_surface(surfaces, [](const Packed& s) { return s.specular > 0 && s.metal; });
+  needs.transparency = any_surface(surfaces, [](const Packed& s) { return s.transparent; });
+  needs.absorption = any_surface(surfaces, [](const Packed& s) { return s.absorbing; });
+  needs.lights = !scene.lights.empty();
+  needs.shadows = scene.shadows && needs.lights;
+  for (int kind = 0; kind < 3; ++kind) {
+    needs.facets[kind] = needs.lights && any_surface(surfaces, [kind](const Packed& s) {
+                           return s.specular > 0 && static_cast<int>(s.facets) == kind;
+                         });
+  }
+  needs.ambient = needs.diffuse && scene.ambient != Color(0, 0, 0);
+  needs.reflections = needs.specular && scene.ray_tree.depth > 0;
+  return needs;
+}
+
+std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
+  return {{"half_space", needs.primitives[0]},
+          {"box", needs.primitives[1]},
+          {"sphere", needs.primitives[2]},
+          {"cylinder", needs.primitives[3]},
+          {"cone", needs.primitives[4]},
+          {"revolution", needs.primitives[5]},
+          {"terrain", needs.primitives[6]},
+          {"algebraic", needs.primitives[7]},
+          {"prism", needs.primitives[8]},
+          {"patches", needs.primitives[9]},
+          {"several spans", needs.several_spans},
+          {"union", needs.unions},
+          {"large union", needs.large_unions},
+          {"intersection", needs.intersections},
+          {"difference", needs.differences},
+          {"diffuse reflection", needs.diffuse},
+          {"specular reflection", needs.specular},
+          {"dielectrics", needs.dielectrics},
+          {"metals", needs.metals},
+          {"cosine power facets", needs.facets[0]},
+          {"Gaussian facets", needs.facets[1]},
+          {"Trowbridge-Reitz facets", needs.facets[2]},
+          {"transparency", needs.transparency},
+          {"absorption", needs.absorption},
+          {"lights", needs.lights},
+          {"shadows", needs.shadows},
+          {"ambient light", needs.ambient},
+          {"secondary rays", needs.reflections},
+          {"depth of pixels", needs.depth}};
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "firmware/database.hpp"
+#include "sim/database/object_tree.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace maquette::sim {
+
+/// Unions of so many bodies have their boxes tested; that many hardly fit into a board of 128 KiB,
+/// so boards that hold a scene work as the paper says.
+inline constexpr std::size_t k_large_union = 256;
+
+/// What of the firmware a scene needs; `surfaces` are those that its primitives have.
+firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
+                         const std::vector<firmware::Surface<double>>& surfaces);
+
+/// A need by name, for reports.
+struct NamedNeed {
+  std::string name;
+  bool is_needed;
+};
+
+/// All needs in the order of the firmware's declaration.
+std::vector<NamedNeed> named_needs(const firmware::Needs& needs);
+
+}  // namespace maquette::sim

@@ -1,0 +1,168 @@
+#include "sim/database/packed_scene.hpp"
+
+#include <glm/geometric.hpp>
+#include <unordered_map>
+
+#include "firmware/arithmetic/counted.hpp"
+#include "firmware/primitives/revolution.hpp"
+#include "sim/database/local_frame.hpp"
+#include "sim/database/needs.hpp"
+#include "sim/database/surface_packing.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+template <class Real>
+Real rounded(double value) {
+  return firmware::constant<Real>(value);
+}
+
+template <class Real>
+firmware::Vector<Real> rounded(const Vector3& v) {
+  return {rounded<Real>(v.x), rounded<Real>(v.y), rounded<Real>(v.z)};
+}
+
+template <class Real>
+firmware::Affine<Real> rounded(const Placement& placement) {
+  firmware::Affine<Real> result;
+  for (int column = 0; column < 4; ++column) {
+    result[column] = rounded<Real>(placement[column]);
+  }
+  return result;
+}
+
+template <class Real>
+firmware::Surface<Real> rounded(const firmware::Surface<double>& s) {
+  return {rounded<Real>(s.diffuse),
+          rounded<Real>(s.specular),
+          s.metal,
+          s.transparent,
+          s.absorbing,
+          s.facets,
+          rounded<Real>(s.index),
+          rounded<Real>(s.extinction),
+          rounded<Real>(s.facet_parameter),
+          rounded<Real>(s.facet_scale),
+          rounded<Real>(s.absorption)};
+}
+
+/// Screen frame to scene frame: x to the right, y up, z from the eye to the target.
+Placement screen_frame(const View& view) {
+  const Vector3 forward = glm::normalize(view.target - view.eye);
+  const Vector3 right = glm::normalize(glm::cross(forward, view.up));
+  const Vector3 up = glm::cross(right, forward);
+  return {right.x,   right.y,   right.z,   up.x,       up.y,       up.z,
+          forward.x, forward.y, forward.z, view.eye.x, view.eye.y, view.eye.z};
+}
+
+/// Height of the screen one unit in front of the eye.
+double screen_height(const View& view, const PictureFormat& format) {
+  if (view.field_of_view_deg) {
+    const double half = *view.field_of_view_deg / 2 * (firmware::elementary::k_pi / 180);
+    return 2 * firmware::sine(half) / firmware::cosine(half);
+  }
+  // Pixels are square: the screen's larger demand decides, the other side shows more.
+  const double by_height = view.screen->height / view.screen->distance;
+  const double by_width = view.screen->width / view.screen->distance * format.height / format.width;
+  return std::max(by_height, by_width);
+}
+
+template <class Real>
+firmware::Observer<Real> observer_of(const View& view, const PictureFormat& format) {
+  const Placement from_screen = screen_frame(view);
+  const double step = screen_height(view, format) / format.height;
+  firmware::Observer<Real> observer;
+  observer.from_screen = rounded<Real>(from_screen);
+  observer.to_screen = rounded<Real>(inverse_of(from_screen));
+  observer.step = rounded<Real>(step);
+  observer.left = rounded<Real>(-step * (format.width - 1) / 2);
+  observer.top = rounded<Real>(step * (format.height - 1) / 2);
+  observer.columns = format.width;
+  observer.rows = format.height;
+  return observer;
+}
+
+/// Numbers the surfaces that leaves have, in the order of their declaration.
+class UsedSurfaces {
+ public:
+  UsedSurfaces(const Scene& scene, const ObjectTree& tree) : number_(scene.surfaces.size(), -1) {
+    for (const TreeLeaf& leaf : tree.leaves) {
+      number_[leaf.surface] = 0;
+    }
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (number_[i] == 0) {
+        number_[i] = static_cast<int>(packed_.size());
+        packed_.push_back(packed_surface(scene.surfaces[i]));
+      }
+    }
+  }
+
+  [[nodiscard]] firmware::SurfaceIndex number_of(std::size_t surface) const {
+    return static_cast<firmware::SurfaceIndex>(number_[surface]);
+  }
+  [[nodiscard]] const std::vector<firmware::Surface<double>>& packed() const { return packed_; }
+
+ private:
+  std::vector<int> number_;
+  std::vector<firmware::Surface<double>> packed_;
+};
+
+template <class Real>
+void pack_leaves(const Scene& scene, const ObjectTree& tree, const UsedSurfaces& surfaces,
+                 PackedScene<Real>& packed) {
+  for (const TreeLeaf& leaf : tree.leaves) {
+    packed.leaves.push_back({leaf.parent, leaf.kind, surfaces.number_of(leaf.surface),
+                             static_cast<std::uint32_t>(packed.parameters.size()),
+                             rounded<Real>(leaf.to_scene),
+                             rounded<Real>(inverse_of(leaf.to_scene))});
+    for (const double parameter : leaf.parameters) {
+      packed.parameters.push_back(rounded<Real>(parameter));
+    }
+    if (leaf.kind == firmware::PrimitiveKind::revolution) {
+      packed.parameters[packed.leaves.back().first_parameter +
+                        firmware::revolution::k_root_tolerance] =
+          rounded<Real>(scene.roots.tolerance);
+    }
+  }
+}
+
+}  // namespace
+
+template <class Real>
+PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) {
+  const ObjectTree tree = object_tree_of(scene);
+  const UsedSurfaces surfaces(scene, tree);
+  PackedScene<Real> packed;
+  pack_leaves(scene, tree, surfaces, packed);
+  packed.composites = tree.composites;
+  packed.tree_height = tree.height;
+  for (const firmware::Surface<double>& surface : surfaces.packed()) {
+    packed.surfaces.push_back(rounded<Real>(surface));
+  }
+  for (const Light& light : scene.lights) {
+    packed.lights.push_back({rounded<Real>(light.position), rounded<Real>(light.intensity)});
+  }
+  firmware::Database<Real>& header = packed.header;
+  header.leaf_count = static_cast<firmware::NodeIndex>(packed.leaves.size());
+  header.composite_count = static_cast<firmware::NodeIndex>(packed.composites.size());
+  header.parameter_count = static_cast<std::uint32_t>(packed.parameters.size());
+  header.surface_count = static_cast<firmware::SurfaceIndex>(packed.surfaces.size());
+  header.light_count = static_cast<std::uint16_t>(packed.lights.size());
+  header.root = tree.root;
+  header.observer = observer_of<Real>(scene.view, format);
+  header.ambient = rounded<Real>(scene.ambient);
+  header.background = rounded<Real>(scene.background);
+  header.ray_depth = scene.ray_tree.depth;
+  header.minimum_weight = rounded<Real>(scene.ray_tree.minimum_weight);
+  header.needs = needs_of(scene, tree, surfaces.packed());
+  header.needs.depth = format.has_depth;
+  return packed;
+}
+
+template PackedScene<float> packed_scene<float>(const Scene& scene, const PictureFormat& format);
+template PackedScene<double> packed_scene<double>(const Scene& scene, const PictureFormat& format);
+template PackedScene<firmware::Counted> packed_scene<firmware::Counted>(
+    const Scene& scene, const PictureFormat& format);
+
+}  // namespace maquette::sim

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "firmware/database.hpp"
+#include "sim/database/object_tree.hpp"
+#include "sim/database/picture_format.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace maquette::sim {
+
+/// Owns the arrays of a firmware database.
+template <class Real>
+struct PackedScene {
+  std::vector<firmware::Leaf<Real>> leaves;
+  std::vector<firmware::Composite> composites;
+  std::vector<Real> parameters;
+  std::vector<firmware::Surface<Real>> surfaces;
+  std::vector<firmware::Light<Real>> lights;
+  firmware::Database<Real> header{};  ///< all but the pointers
+  int tree_height = 0;
+
+  /// The database over these arrays; valid as long as they are neither moved nor changed.
+  [[nodiscard]] firmware::Database<Real> database() const {
+    firmware::Database<Real> view = header;
+    view.leaves = leaves.data();
+    view.composites = composites.data();
+    view.parameters = parameters.data();
+    view.surfaces = surfaces.data();
+    view.lights = lights.data();
+    return view;
+  }
+};
+
+/// Packs a checked scene as the boards get it: only surfaces that a primitive has, lights only
+/// where a surface can show them. All values are computed in double precision and rounded once.
+template <class Real>
+PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format);
+
+}  // namespace maquette::sim

@@ -1,0 +1,135 @@
+#include "sim/database/scene_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "sim/database/memory_map.hpp"
+#include "sim/database/needs.hpp"
+#include "sim/database/packed_scene.hpp"
+#include "sim/machine/machine_description.hpp"
+#include "sim/scene/scene_description.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+std::string joined_names(const std::vector<NamedNeed>& needs, bool needed) {
+  std::string text;
+  for (const NamedNeed& need : needs) {
+    if (need.is_needed == needed) {
+      text += (text.empty() ? "" : ", ") + need.name;
+    }
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string memory_table(const MemoryMap& map, const Machine& machine) {
+  std::string text = "Memory of a board\n";
+  std::int64_t address = 0;
+  for (const MemoryUse& use : map.uses) {
+    if (use.bytes > 0) {
+      text += fmt::format("  {:06X}  {:>8} bytes  {}\n", address, use.bytes, use.name);
+    }
+    address += use.bytes;
+  }
+  const std::int64_t free_bytes = map.ram_bytes - map.used_bytes;
+  text +=
+      free_bytes >= 0
+          ? fmt::format("  {:06X}  {:>8} bytes  free of {}\n", address, free_bytes, map.ram_bytes)
+          : fmt::format("          {:>8} bytes  too much for {}\n", -free_bytes, map.ram_bytes);
+  text += fmt::format(
+      "  needed of the work areas: {} of {} crossings, {} of {} waiting rays, {} of "
+      "{} bytes of stack\n",
+      map.crossings_needed, machine.crossing_capacity, map.rays_needed, machine.ray_capacity,
+      map.stack_needed_bytes, machine.stack_bytes);
+  return text;
+}
+
+std::string parameter_table(const std::vector<ParameterRow>& rows) {
+  std::size_t path_width = 0;
+  std::size_t value_width = 0;
+  constexpr std::size_t k_widest_value = 28;
+  for (const ParameterRow& row : rows) {
+    path_width = std::max(path_width, row.path.size());
+    value_width = std::max(value_width, std::min(row.value.size(), k_widest_value));
+  }
+  std::string text;
+  for (const ParameterRow& row : rows) {
+    text += fmt::format("  {:<{}}  {:<{}}  {}", row.path, path_width, row.value, value_width,
+                        row.sentence);
+    text += row.range.empty() ? "" : fmt::format("; allowed: {}", row.range);
+    text += row.default_value.empty() || row.default_value == row.value
+                ? ""
+                : fmt::format("; default: {}", row.default_value);
+    text += row.source.empty() ? "\n" : fmt::format("; source: {}\n", row.source);
+  }
+  return text;
+}
+
+const char* mark_of(ConfidenceMark mark) {
+  switch (mark) {
+    case ConfidenceMark::read:
+      return "R";
+    case ConfidenceMark::measured:
+      return "M";
+    case ConfidenceMark::stated:
+      return "W";
+    case ConfidenceMark::inferred:
+      break;
+  }
+  return "I";
+}
+
+/// One line per operation: costs without wait states, whether a call, mark and source.
+std::string cost_table(const Machine& machine) {
+  const models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
+  std::string text = fmt::format(
+      "Cost table {} (board.arithmetic.OPERATION.clocks, .reads, .writes), {} bytes of "
+      "code; R read, M measured, W widely stated, I inferred\n",
+      machine.arithmetic_name, costs.package_bytes);
+  text += fmt::format("  {:<17} {:>8} {:>7} {:>7}  {:<7} {}\n", "operation", "clocks", "reads",
+                      "writes", "", "source");
+  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
+    const models::OperationCost& cost = costs.operations[i];
+    const CostSource& source = machine.arithmetic_sources[i];
+    text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
+                        firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
+                        costs.called[i] ? "called" : "in line", mark_of(source.mark), source.text);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string scene_report(const Scene& scene, const Machine& machine) {
+  const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));
+  const firmware::Database<float> database = packed.database();
+  const MemoryMap map = memory_map_of(database, packed.tree_height, machine);
+  const std::vector<NamedNeed> needs = named_needs(database.needs);
+  std::string text = fmt::format("Scene {}\n", scene.name);
+  text += fmt::format("  {} primitives, {} composites, {} surfaces, {} lights; a tree {} high\n",
+                      database.leaf_count, database.composite_count, database.surface_count,
+                      database.light_count, packed.tree_height);
+  text += fmt::format("  needed: {}\n", joined_names(needs, true));
+  text += fmt::format("  left out: {}, which saves {} bytes of code\n", joined_names(needs, false),
+                      map.left_out_bytes);
+  text += "\n" + memory_table(map, machine);
+  text += "\nParameters of the scene\n" + parameter_table(list_parameters(scene));
+  return text;
+}
+
+std::string machine_report(const Machine& machine) {
+  std::vector<ParameterRow> rows =
+      with_defaults(list_parameters(machine), list_parameters(default_machine()));
+  const std::string prefix = "board.arithmetic.";
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+                            [&prefix](const ParameterRow& row) {
+                              return row.path.compare(0, prefix.size(), prefix) == 0;
+                            }),
+             rows.end());
+  return fmt::format("Machine {}\n{}\n{}", machine.name, parameter_table(rows),
+                     cost_table(machine));
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "sim/machine/machine.hpp"
+#include "sim/scene/scene.hpp"
+
+namespace maquette::sim {
+
+/// What a scene needs of the firmware, what was left out and what that saves, and the memory map of
+/// a board that holds it; then the scene's parameters.
+std::string scene_report(const Scene& scene, const Machine& machine);
+
+/// Every parameter of a machine with value, default, range, meaning and source, and its cost table.
+std::string machine_report(const Machine& machine);
+
+}  // namespace maquette::sim

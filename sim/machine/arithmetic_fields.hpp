@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "sim/fields/declaration.hpp"
+#include "sim/fields/value_types.hpp"
+#include "sim/machine/machine.hpp"
+
+namespace maquette::sim {
+
+inline ChoiceType<ConfidenceMark> confidence_marks() {
+  return {{{"R", ConfidenceMark::read},
+           {"M", ConfidenceMark::measured},
+           {"W", ConfidenceMark::stated},
+           {"I", ConfidenceMark::inferred}}};
+}
+
+/// The source as declarations write it, with its mark in brackets.
+inline std::string marked(const CostSource& source) {
+  return source.text + " [" + confidence_marks().write(source.mark).text + "]";
+}
+
+/// Clocks and bus cycles of one operation; the keys are the units.
+template <class Visitor>
+void declare_cost(Visitor& visitor, models::OperationCost& cost, std::string_view source,
+                  bool is_required) {
+  constexpr RealType k_count{RealDimension::number, {0, 1e7}};
+  visitor.field({"clocks", "processor clocks without wait states", source, is_required},
+                cost.clocks, k_count);
+  visitor.field({"reads", "16-bit bus reads among them", source, is_required}, cost.reads, k_count);
+  visitor.field({"writes", "16-bit bus writes among them", source, is_required}, cost.writes,
+                k_count);
+}
+
+/// The fields of a table of models/arithmetic/: every operation of firmware/arithmetic/work.hpp.
+template <class Visitor>
+void declare_arithmetic(Visitor& visitor, Machine& machine) {
+  models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
+  visitor.field(required("name", "name of the cost table"), machine.arithmetic_name, TextType{});
+  visitor.field(required("code", "of the package in a board's RAM, loaded by the host"),
+                costs.package_bytes, WholeType{WholeDimension::memory, {0, 16 * k_mebibyte}});
+  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
+    const char* name = firmware::k_operation_names[i];
+    visitor.group(required(name, "cost of this operation"), [&, i] {
+      CostSource& source = machine.arithmetic_sources[i];
+      declare_cost(visitor, costs.operations[i], marked(source), true);
+      visitor.field(required("called", "a call that pays board.call_overhead; false: in line"),
+                    costs.called[i], FlagType{});
+      visitor.field(required("source", "where the figures come from"), source.text, TextType{});
+      visitor.field(required("mark", "R read, M measured, W widely stated, I inferred"),
+                    source.mark, confidence_marks());
+    });
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "firmware/arithmetic/work.hpp"
+#include "models/machine/machine_parameters.hpp"
+
+namespace maquette::sim {
+
+/// How far a figure can be trusted: read in the source named, measured on an instruction-level
+/// processor, stated widely without a source seen, or inferred from other figures. Descriptions
+/// write R, M, W, I.
+enum class ConfidenceMark { read, measured, stated, inferred };
+
+/// Where the cost of one operation comes from.
+struct CostSource {
+  std::string text;
+  ConfidenceMark mark = ConfidenceMark::inferred;
+};
+
+/// A checked machine description (models/machines/*.yaml with its table of models/arithmetic/).
+struct Machine {
+  std::string name;
+  models::MachineParameters parameters;  ///< boards are placed
+  std::string arithmetic_name;
+  std::array<CostSource, firmware::k_operation_count> arithmetic_sources;
+  std::int64_t stack_bytes = 16384;    ///< reserved in a board's RAM
+  int crossing_capacity = 1024;        ///< of the work area for ray crossings
+  int ray_capacity = 32;               ///< of the work area for rays that wait
+  std::int64_t system_bytes = 8192;    ///< monitor and vectors at the bottom of RAM
+  bool allow_memory_overflow = false;  ///< simulate although the scene does not fit
+};
+
+}  // namespace maquette::sim

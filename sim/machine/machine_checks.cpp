@@ -1,0 +1,186 @@
+#include "sim/machine/machine_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/fields/quantity.hpp"
+#include "sim/yaml/description_error.hpp"
+
+namespace maquette::sim {
+namespace {
+
+constexpr double k_ps_per_s = 1e12;
+
+[[noreturn]] void fail(const YamlNode& node, std::string_view path, const std::string& message) {
+  throw DescriptionError(node.place.position(), std::string{path} + ": " + message);
+}
+
+[[noreturn]] void fail_at(const YamlNode& root, std::string_view path, const std::string& message) {
+  fail(nearest_node(root, path), path, message);
+}
+
+void check_board_count(const Machine& machine, const YamlNode& root) {
+  const YamlNode* boards = root.find("boards");
+  const YamlNode* places = boards == nullptr ? nullptr : boards->find("places");
+  if (places == nullptr) {
+    return;
+  }
+  if (boards->find("request_level") != nullptr) {
+    fail(*places, "boards.places", "request_level is given too; one of them is allowed");
+  }
+  const YamlNode* processors = root.find("processors");
+  const std::size_t count = machine.parameters.boards.size();
+  if (processors != nullptr &&
+      parse_quantity(processors->text, WholeDimension::count) != static_cast<std::int64_t>(count)) {
+    fail(*places, "boards.places",
+         std::to_string(count) + " places are listed for " + processors->text + " processors");
+  }
+}
+
+void check_places(const Machine& machine, const YamlNode& root) {
+  std::map<std::pair<int, int>, std::string> taken;
+  const auto take = [&](const models::BusMasterPlace& place, const std::string& master,
+                        std::string_view path) {
+    const auto [other, is_new] = taken.try_emplace({place.level, place.position}, master);
+    if (!is_new) {
+      fail_at(root, path,
+              master + " is at level " + std::to_string(place.level) + ", position " +
+                  std::to_string(place.position) + ", and so is " + other->second +
+                  "; each master needs its own place");
+    }
+  };
+  const auto& boards = machine.parameters.boards;
+  for (std::size_t i = 0; i < boards.size(); ++i) {
+    take(boards[i], "board " + std::to_string(i), "boards.places");
+  }
+  take(machine.parameters.host.place, "the host", "host.place");
+}
+
+/// Lines of the picture in each field.
+std::pair<int, int> lines_per_field(const models::MachineParameters& parameters) {
+  const int height = parameters.frame_memory.height;
+  return parameters.video.interlaced ? std::pair{(height + 1) / 2, height / 2}
+                                     : std::pair{height, 0};
+}
+
+void check_picture_lines(const models::MachineParameters& parameters, const YamlNode& root) {
+  const models::VideoParameters& video = parameters.video;
+  const auto [first, second] = lines_per_field(parameters);
+  const int last_of_first = video.first_active_line_field_1 + first - 1;
+  const int last_of_second = video.first_active_line_field_2 + second - 1;
+  const int end_of_first =
+      video.interlaced ? video.first_active_line_field_2 - 1 : video.lines_per_frame;
+  if (last_of_first > end_of_first) {
+    fail_at(root, "frame_memory.height",
+            "its first field ends in line " + std::to_string(last_of_first) +
+                "; the video standard allows line " + std::to_string(end_of_first));
+  }
+  if (video.interlaced && last_of_second > video.lines_per_frame) {
+    fail_at(root, "frame_memory.height",
+            "its second field ends in line " + std::to_string(last_of_second) +
+                "; the video standard allows line " + std::to_string(video.lines_per_frame));
+  }
+}
+
+void check_picture_width(const models::MachineParameters& parameters, const YamlNode& root) {
+  const models::VideoParameters& video = parameters.video;
+  const double line_rate = static_cast<double>(video.lines_per_frame) * video.frames_per_s;
+  const double clocks = video.pixel_clock_hz / line_rate;
+  if (clocks != std::floor(clocks)) {
+    fail_at(root, "video.pixel_clock",
+            "gives " + format_quantity(clocks, RealDimension::number) +
+                " periods per line; a whole number is allowed, so a multiple of " +
+                format_quantity(line_rate, RealDimension::frequency));
+  }
+  const double blanking =
+      static_cast<double>(video.line_blanking.count()) / k_ps_per_s * video.pixel_clock_hz;
+  if (blanking + parameters.frame_memory.width > clocks) {
+    fail_at(
+        root, "frame_memory.width",
+        "does not fit in a line; the video standard allows " +
+            format_quantity(std::max(std::floor(clocks - blanking), 0.0), RealDimension::number) +
+            " pixels");
+  }
+}
+
+void check_video_slots(const models::MachineParameters& parameters, const YamlNode& root) {
+  const models::FrameMemoryParameters& memory = parameters.frame_memory;
+  const double period_ps = memory.video_slot_pixels / parameters.video.pixel_clock_hz * k_ps_per_s;
+  if (memory.video_priority && static_cast<double>(memory.video_slot_time.count()) >= period_ps) {
+    fail_at(root, "frame_memory.video_slot_time",
+            "leaves nothing to the bus; less than " +
+                format_quantity(static_cast<std::int64_t>(period_ps), WholeDimension::time) +
+                " is allowed, the time of its pixels");
+  }
+}
+
+void check_planes(const models::FrameMemoryParameters& memory, const YamlNode& root) {
+  constexpr int k_most_colour_bits = 16;
+  const int colour_bits = memory.red_bits + memory.green_bits + memory.blue_bits;
+  if (memory.depth_bits > 0 && colour_bits > k_most_colour_bits) {
+    fail_at(root, "frame_memory.depth",
+            "stands beside " + std::to_string(colour_bits) +
+                " bits of colour; with depth planes red, green and blue have at most 16 together");
+  }
+}
+
+void check_board(const Machine& machine, const YamlNode& root) {
+  const models::Kvm02Parameters& board = machine.parameters.board;
+  if (machine.stack_bytes + machine.system_bytes >= board.ram_bytes) {
+    fail_at(root, "board.ram", "holds not even the stack and the system");
+  }
+  const double refresh_ps = static_cast<double>(board.refresh_clocks) / board.clock_hz * k_ps_per_s;
+  if (board.refresh_period.count() != 0 &&
+      refresh_ps >= static_cast<double>(board.refresh_period.count())) {
+    fail_at(root, "board.refresh", "leaves nothing of the period to the processor");
+  }
+}
+
+/// Backplanes keep their own time, so what boards of several do to one counter has no exact order.
+void check_ports(const models::MachineParameters& parameters, const YamlNode& root) {
+  if (parameters.allotment.assignment == models::Assignment::on_demand &&
+      parameters.frame_memory.ports > 1) {
+    fail_at(root, "allotment.assignment",
+            "on_demand is allowed with frame_memory.ports=1 only, whose bus orders the claims");
+  }
+}
+
+void check_timeout(const models::MachineParameters& parameters, const YamlNode& root) {
+  const models::Duration timeout = parameters.bus.timeout;
+  const models::FrameMemoryParameters& memory = parameters.frame_memory;
+  if (timeout.count() == 0) {
+    return;
+  }
+  const auto check = [&](models::Duration access, std::string_view path) {
+    if (access >= timeout) {
+      fail_at(root, path, "is not below bus.timeout, so every access would be a bus error");
+    }
+  };
+  check(parameters.board.dual_port_access, "board.dual_port_access");
+  check(parameters.shared_memory.access_time, "shared_memory.access_time");
+  check(memory.access_time, "frame_memory.access_time");
+  if (memory.video_priority) {
+    check(memory.access_time + memory.video_slot_time, "frame_memory.video_slot_time");
+  }
+}
+
+}  // namespace
+
+void check_machine(const Machine& machine, const YamlNode& root) {
+  check_board_count(machine, root);
+  check_places(machine, root);
+  check_board(machine, root);
+  check_planes(machine.parameters.frame_memory, root);
+  check_picture_width(machine.parameters, root);
+  check_picture_lines(machine.parameters, root);
+  check_video_slots(machine.parameters, root);
+  check_timeout(machine.parameters, root);
+  check_ports(machine.parameters, root);
+}
+
+}  // namespace maquette::sim

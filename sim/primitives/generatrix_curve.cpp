@@ -1,0 +1,115 @@
+#include "sim/primitives/generatrix_curve.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+
+#include "firmware/polynomials/spline.hpp"
+
+namespace maquette::sim {
+namespace {
+
+constexpr std::size_t k_chords = 16;
+
+glm::dvec2 point_at(const GeneratrixCurve& curve, std::size_t section, double u) {
+  const glm::dvec2* p = &curve.points[3 * section];
+  const double v = 1 - u;
+  return v * v * v * p[0] + 3 * u * v * (v * p[1] + u * p[2]) + u * u * u * p[3];
+}
+
+glm::dvec2 change_at(const GeneratrixCurve& curve, std::size_t section, double u) {
+  const glm::dvec2* p = &curve.points[3 * section];
+  const double v = 1 - u;
+  return 3.0 * (v * v * (p[1] - p[0]) + 2 * u * v * (p[2] - p[1]) + u * u * (p[3] - p[2]));
+}
+
+/// Twice the area of a triangle, positive when it turns left.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+bool properly_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c,
+                    const glm::dvec2& d) {
+  return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
+}
+
+std::vector<glm::dvec2> chain_of(const GeneratrixCurve& curve) {
+  std::vector<glm::dvec2> chain;
+  for (std::size_t i = 0; i < curve.sections() * k_chords; ++i) {
+    chain.push_back(point_at(curve, i / k_chords, static_cast<double>(i % k_chords) / k_chords));
+  }
+  chain.push_back(curve.points.back());
+  return chain;
+}
+
+}  // namespace
+
+std::vector<glm::dvec2> displaced_points(const RevolutionShape& shape) {
+  std::vector<glm::dvec2> points = shape.points;
+  for (const Displacement& displacement : shape.displacements) {
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i] += displacement.amount * displacement.by[i];
+    }
+  }
+  return points;
+}
+
+GeneratrixCurve generatrix_curve(const RevolutionShape& shape) {
+  std::vector<double> control;
+  for (const glm::dvec2& point : displaced_points(shape)) {
+    control.insert(control.end(), {point.x, point.y});
+  }
+  const auto count = static_cast<int>(shape.points.size());
+  const int sections = firmware::section_count(count, !shape.closed);
+  std::vector<double> bezier(
+      static_cast<std::size_t>(sections * firmware::k_section_stride + firmware::k_point_reals));
+  firmware::write_bezier_points(control.data(), count, sections, bezier.data());
+  GeneratrixCurve curve;
+  curve.closed = shape.closed;
+  for (std::size_t i = 0; i < bezier.size(); i += 2) {
+    curve.points.emplace_back(bezier[i], bezier[i + 1]);
+  }
+  return curve;
+}
+
+Extent2 extent_of(const GeneratrixCurve& curve) {
+  Extent2 extent{curve.points.front(), curve.points.front()};
+  for (const glm::dvec2& point : curve.points) {
+    extent.low = glm::min(extent.low, point);
+    extent.high = glm::max(extent.high, point);
+  }
+  return extent;
+}
+
+std::size_t section_beyond_axis(const GeneratrixCurve& curve) {
+  const auto found = std::find_if(curve.points.begin(), curve.points.end(),
+                                  [](const glm::dvec2& point) { return point.x < 0; });
+  return std::min(static_cast<std::size_t>(found - curve.points.begin()) / 3, curve.sections() - 1);
+}
+
+double enclosed_area(const GeneratrixCurve& curve) {
+  // Gauss's rule with three points is exact for r dz, of degree five.
+  constexpr double k_nodes[] = {0.11270166537925831, 0.5, 0.8872983346207417};
+  constexpr double k_weights[] = {5.0 / 18, 8.0 / 18, 5.0 / 18};
+  double area = 0;
+  for (std::size_t section = 0; section < curve.sections(); ++section) {
+    for (int i = 0; i < 3; ++i) {
+      area += k_weights[i] * point_at(curve, section, k_nodes[i]).x *
+              change_at(curve, section, k_nodes[i]).y;
+    }
+  }
+  return area;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> own_crossing(const GeneratrixCurve& curve) {
+  const std::vector<glm::dvec2> chain = chain_of(curve);
+  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+    for (std::size_t k = i + 2; k + 1 < chain.size(); ++k) {
+      if (properly_cross(chain[i], chain[i + 1], chain[k], chain[k + 1])) {
+        return std::pair{i / k_chords, k / k_chords};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,94 @@
+#include "sim/primitives/revolution_fields.hpp"
+
+#include "firmware/primitives/generatrix.hpp"
+#include "sim/fields/field_reader.hpp"
+#include "sim/fields/field_writer.hpp"
+#include "sim/primitives/generatrix_curve.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/name_check.hpp"
+
+namespace maquette::sim {
+namespace {
+
+template <class Visitor>
+void declare_displacement(Visitor& visitor, Displacement& displacement) {
+  visitor.field(required("by", "how far each control point moves, [dr, dz]"), displacement.by,
+                k_profile_points);
+  visitor.field({"amount", "times the displacement; 0 leaves the points where they are"},
+                displacement.amount, RealType{RealDimension::number, {-1e6, 1e6}});
+}
+
+[[noreturn]] void fail(const YamlNode& node, std::string_view key, const std::string& message) {
+  throw DescriptionError(nearest_node(node, key).place.position(),
+                         std::string{key} + ": " + message);
+}
+
+void check_count(const RevolutionShape& shape, const YamlNode& node) {
+  const std::size_t least = shape.closed ? 3 : 4;
+  const auto most =
+      static_cast<std::size_t>(firmware::revolution::k_section_limit) + (shape.closed ? 0 : 3);
+  if (shape.points.size() < least || shape.points.size() > most) {
+    fail(node, "points",
+         std::to_string(shape.points.size()) + " control points; " + std::to_string(least) +
+             " to " + std::to_string(most) + " are allowed for " +
+             (shape.closed ? "a closed" : "an open") + " generatrix");
+  }
+  for (const Displacement& displacement : shape.displacements) {
+    if (displacement.by.size() != shape.points.size()) {
+      fail(node, "displacements." + displacement.name + ".by",
+           std::to_string(displacement.by.size()) + " shifts for " +
+               std::to_string(shape.points.size()) + " control points; as many are allowed");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Displacement> DisplacementsType::read(const YamlNode& node, std::string_view name) {
+  check_mapping(node, name);
+  std::vector<Displacement> displacements;
+  displacements.reserve(node.entries.size());
+  for (const YamlEntry& entry : node.entries) {
+    check_name(entry.key, entry.place, name);
+    Displacement& displacement = displacements.emplace_back();
+    displacement.name = entry.key;
+    FieldReader reader{entry.value, entry.key};
+    declare_displacement(reader, displacement);
+    reader.finish();
+  }
+  return displacements;
+}
+
+YamlNode DisplacementsType::write(const std::vector<Displacement>& displacements) {
+  YamlNode mapping = yaml_mapping();
+  for (Displacement displacement : displacements) {
+    FieldWriter writer;
+    declare_displacement(writer, displacement);
+    append(mapping, displacement.name, writer.take());
+  }
+  return mapping;
+}
+
+void check_revolution(const RevolutionShape& shape, const YamlNode& node) {
+  check_count(shape, node);
+  const std::string moved = shape.displacements.empty() ? "" : ", displaced,";
+  const GeneratrixCurve curve = generatrix_curve(shape);
+  const Extent2 extent = extent_of(curve);
+  if (extent.low.x < 0) {
+    fail(node, "points",
+         "the generatrix" + moved + " leaves the half-plane r >= 0: its section " +
+             std::to_string(section_beyond_axis(curve)) +
+             " has a Bezier point at r = " + format_quantity(extent.low.x, RealDimension::number));
+  }
+  if (!(extent.high.x > 0) || !(extent.high.y > extent.low.y) || enclosed_area(curve) == 0) {
+    fail(node, "points",
+         "the generatrix" + moved + " encloses nothing; some radius and some height are needed");
+  }
+  if (const auto crossing = own_crossing(curve)) {
+    fail(node, "points",
+         "the generatrix" + moved + " crosses itself: section " + std::to_string(crossing->first) +
+             " meets section " + std::to_string(crossing->second));
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,270 @@
+#include "sim/scene/description_loader.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "sim/machine/machine_description.hpp"
+#include "sim/scene/scene_description.hpp"
+#include "sim/yaml/description_error.hpp"
+#include "sim/yaml/nearest_name.hpp"
+#include "sim/yaml/override.hpp"
+#include "sim/yaml/yaml_node.hpp"
+#include "sim/yaml/yaml_reader.hpp"
+#include "sim/yaml/yaml_writer.hpp"
+
+namespace maquette::sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view k_default_machine = "ccett-1984";
+constexpr std::string_view k_default_arithmetic = "motorola_ffp";
+
+bool is_shipped_name(std::string_view name) {
+  return name.find_first_of("/.") == std::string_view::npos;
+}
+
+/// The names of the descriptions in a directory of models/.
+std::vector<std::string> shipped_names(const fs::path& directory) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator{directory, ignored}) {
+    if (entry.path().extension() == ".yaml") {
+      names.push_back(entry.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// Reads files and remembers them.
+class Loader {
+ public:
+  Loader(std::string models_directory, std::vector<std::string>& input_files)
+      : models_(std::move(models_directory)), input_files_(input_files) {}
+
+  YamlNode load(const std::string& file) {
+    YamlNode root = load_yaml(file);
+    input_files_.push_back(file);
+    return root;
+  }
+
+  /// Loads what `name` refers to: a shipped name of `kind` (empty: there are none), or a file
+  /// relative to `base`. `place` is where the name was written; nothing for the command line.
+  YamlNode load_named(const std::string& name, std::string_view kind, const fs::path& base,
+                      const YamlPlace* place) {
+    const fs::path directory = fs::path{models_} / kind;
+    const bool is_shipped = !kind.empty() && is_shipped_name(name);
+    const fs::path file =
+        is_shipped ? directory / (name + ".yaml") : (base / name).lexically_normal();
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) {
+      return load(file.string());
+    }
+    std::string message = "cannot read the file `" + file.string() + "`";
+    if (is_shipped) {
+      const std::vector<std::string> names = shipped_names(directory);
+      message = "`" + name + "` is not among the shipped " + std::string{kind} +
+                " nor the name of a file; " + allowed_names(name, {names.begin(), names.end()});
+    }
+    throw place == nullptr ? DescriptionError(message)
+                           : DescriptionError(place->position(), message);
+  }
+
+  /// Replaces a name that stands for a description by that description.
+  void expand(YamlNode& node, std::string_view kind) {
+    if (node.kind == YamlKind::scalar) {
+      const YamlPlace place = node.place;
+      const std::string name = node.text;
+      node = load_named(name, kind, directory_of(place), &place);
+    }
+  }
+
+ private:
+  /// Names in overrides are relative to where the program runs.
+  static fs::path directory_of(const YamlPlace& place) {
+    return place.file && !is_from_override(place) ? fs::path{*place.file}.parent_path()
+                                                  : fs::path{};
+  }
+
+  std::string models_;
+  std::vector<std::string>& input_files_;
+};
+
+/// Makes the value under `key` of a mapping and returns it.
+YamlNode& value_of(YamlNode& mapping, std::string_view key) {
+  if (YamlNode* value = mapping.find(key)) {
+    return *value;
+  }
+  mapping.entries.push_back({std::string{key}, mapping.place, {}});
+  mapping.entries.back().value.place = mapping.place;
+  return mapping.entries.back().value;
+}
+
+/// Puts the cost table in the place of its name.
+void expand_arithmetic(YamlNode& machine, Loader& loader) {
+  if (machine.kind != YamlKind::mapping) {
+    return;
+  }
+  YamlNode& board = value_of(machine, "board");
+  if (board.kind == YamlKind::null) {
+    board.kind = YamlKind::mapping;
+  }
+  if (board.kind != YamlKind::mapping) {
+    return;
+  }
+  YamlNode& arithmetic = value_of(board, "arithmetic");
+  if (arithmetic.kind == YamlKind::null) {
+    const YamlPlace place = arithmetic.place;
+    arithmetic = yaml_scalar(std::string{k_default_arithmetic});
+    arithmetic.place = place;
+  }
+  loader.expand(arithmetic, "arithmetic");
+}
+
+bool contains(const std::vector<std::string_view>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void apply_to_machine(YamlNode& machine, const Override& change, std::size_t first,
+                      Loader& loader) {
+  if (change.path.size() == first) {
+    machine = change.value;
+    loader.expand(machine, "machines");
+    return;
+  }
+  const bool goes_into_arithmetic = change.path.size() > first + 2 &&
+                                    change.path[first].key == "board" &&
+                                    change.path[first + 1].key == "arithmetic";
+  if (goes_into_arithmetic) {
+    expand_arithmetic(machine, loader);
+  }
+  apply_override(machine, change, first);
+}
+
+void apply_to_both(YamlNode& scene, YamlNode& machine, const Override& change, Loader& loader) {
+  const std::string& key = change.path.front().key;
+  if (key == "machine") {
+    apply_to_machine(machine, change, 1, loader);
+  } else if (contains(scene_keys(), key)) {
+    apply_override(scene, change);
+  } else if (contains(machine_keys(), key)) {
+    apply_to_machine(machine, change, 0, loader);
+  } else {
+    std::vector<std::string_view> allowed = scene_keys();
+    for (const std::string_view other : machine_keys()) {
+      if (!contains(allowed, other)) {
+        allowed.push_back(other);
+      }
+    }
+    throw DescriptionError(change.path.front().place.position(),
+                           "`" + key + "` is not known; " + allowed_names(key, allowed));
+  }
+}
+
+/// Takes the scene's own machine out of the scene; null when it has none.
+YamlNode take_machine(YamlNode& scene) {
+  YamlNode machine;
+  for (auto entry = scene.entries.begin(); entry != scene.entries.end(); ++entry) {
+    if (entry->key == "machine") {
+      machine = std::move(entry->value);
+      scene.entries.erase(entry);
+      break;
+    }
+  }
+  return machine;
+}
+
+Description read_trees(DescriptionTrees trees, const std::vector<Override>& changes,
+                       Loader& loader) {
+  YamlNode own_machine = take_machine(trees.scene);
+  YamlNode& machine = trees.machine.kind == YamlKind::null ? own_machine : trees.machine;
+  if (machine.kind == YamlKind::null) {
+    machine = loader.load_named(std::string{k_default_machine}, "machines", {}, nullptr);
+  }
+  loader.expand(machine, "machines");
+  for (const Override& change : changes) {
+    apply_to_both(trees.scene, machine, change, loader);
+  }
+  expand_arithmetic(machine, loader);
+  return {read_scene(trees.scene), read_machine(machine), {}};
+}
+
+void expand_machine(YamlNode& machine, Loader& loader) {
+  loader.expand(machine, "machines");
+  expand_arithmetic(machine, loader);
+}
+
+}  // namespace
+
+void inline_files(YamlNode& part, DescriptionPart kind, const std::string& models_directory,
+                  std::vector<std::string>& input_files) {
+  Loader loader{models_directory, input_files};
+  switch (kind) {
+    case DescriptionPart::scene:
+      loader.expand(part, {});
+      if (YamlNode* machine = part.find("machine")) {
+        expand_machine(*machine, loader);
+      }
+      break;
+    case DescriptionPart::machine:
+      expand_machine(part, loader);
+      break;
+    case DescriptionPart::arithmetic:
+      loader.expand(part, "arithmetic");
+      break;
+  }
+}
+
+Description read_description(DescriptionTrees trees, const std::vector<Override>& changes,
+                             const std::string& models_directory) {
+  std::vector<std::string> input_files;
+  Loader loader{models_directory, input_files};
+  return read_trees(std::move(trees), changes, loader);
+}
+
+Description load_description(const DescriptionSources& sources) {
+  std::vector<std::string> input_files;
+  Loader loader{sources.models_directory, input_files};
+  DescriptionTrees trees;
+  trees.scene = loader.load(sources.scene_file);
+  if (sources.machine) {
+    trees.machine = loader.load_named(*sources.machine, "machines", {}, nullptr);
+  }
+  std::vector<Override> changes;
+  for (const std::string& text : sources.overrides) {
+    changes.push_back(parse_override(text));
+  }
+  Description description = read_trees(std::move(trees), changes, loader);
+  description.input_files = std::move(input_files);
+  return description;
+}
+
+Machine load_machine(const DescriptionSources& sources, std::vector<std::string>& input_files) {
+  Loader loader{sources.models_directory, input_files};
+  YamlNode machine = loader.load_named(sources.machine.value_or(std::string{k_default_machine}),
+                                       "machines", {}, nullptr);
+  for (const std::string& text : sources.overrides) {
+    const Override change = parse_override(text);
+    apply_to_machine(machine, change, change.path.front().key == "machine" ? 1 : 0, loader);
+  }
+  expand_arithmetic(machine, loader);
+  return read_machine(machine);
+}
+
+bool describes_machine(const std::string& file) {
+  const YamlNode root = load_yaml(file);
+  return root.find("object") == nullptr && root.find("view") == nullptr &&
+         (root.find("processors") != nullptr || root.find("board") != nullptr);
+}
+
+std::string effective_configuration(const Scene& scene, const Machine& machine) {
+  YamlNode root = write_scene(scene);
+  append(root, "machine", write_machine(machine));
+  return write_yaml(root);
+}
+
+}  // namespace maquette::sim

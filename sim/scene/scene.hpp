@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "sim/primitives/algebraic_shape.hpp"
+#include "sim/primitives/patches_shape.hpp"
+#include "sim/primitives/prism_shape.hpp"
+#include "sim/primitives/revolution_shape.hpp"
+#include "sim/primitives/terrain_shape.hpp"
+#include "sim/yaml/source_position.hpp"
+
+namespace maquette::sim {
+
+using Vector3 = glm::dvec3;
+using Color = glm::dvec3;        ///< red, green, blue; linear
+using Placement = glm::dmat4x3;  ///< affine: columns are the images of x, y, z and the origin
+
+/// The screen as a rectangle in front of the eye, in scene units.
+struct Screen {
+  double distance = 1;
+  double width = 1;
+  double height = 1;
+};
+
+/// The observer (paper, section II.1): exactly one of field_of_view_deg and screen is given.
+struct View {
+  Vector3 eye{0, 0, 0};
+  Vector3 target{0, 0, -1};
+  Vector3 up{0, 0, 1};
+  std::optional<double> field_of_view_deg;  ///< vertical; pixels are square
+  std::optional<Screen> screen;
+};
+
+/// A distant point source: a facing surface receives `intensity` whatever its distance (the paper's
+/// approximation of remote sources, section III.1).
+struct Light {
+  std::string name;
+  Vector3 position{0, 0, 0};
+  Color intensity{1, 1, 1};
+};
+
+enum class FacetDistribution { cosine_power, gaussian, trowbridge_reitz };
+
+/// A named surface and, for transparent bodies, the matter behind it (paper, section III).
+struct Surface {
+  std::string name;
+  Color diffuse{1, 1, 1};      ///< reflectance of the diffuse share, 0..1
+  double specular = 0;         ///< share s of specular reflection; d = 1 - s
+  bool metal = false;          ///< Fresnel factor from index and extinction per colour
+  Color index{1.5, 1.5, 1.5};  ///< dielectrics have the same for the three colours
+  Color extinction{0, 0, 0};
+  FacetDistribution facets = FacetDistribution::cosine_power;
+  double half_angle_deg = 10;  ///< Blinn's beta: where the facet distribution falls to one half
+  bool transparent = false;
+  Color absorption{0, 0, 0};  ///< per scene unit of length
+  SourcePosition position_in_file;
+};
+
+enum class ObjectKind {
+  half_space,
+  box,
+  sphere,
+  cylinder,
+  cone,
+  revolution,
+  terrain,
+  algebraic,
+  prism,
+  patches,
+  union_of,
+  intersection,
+  difference
+};
+
+/// What some primitives need besides sizes; the alternative goes with the kind of the object.
+using Shape = std::variant<std::monostate, RevolutionShape, TerrainShape, AlgebraicShape,
+                           PrismShape, PatchesShape>;
+
+/// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
+/// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.
+struct Object {
+  ObjectKind kind = ObjectKind::sphere;
+  std::string name;              ///< may be empty
+  Placement placement{1.0};      ///< to the frame of the parent
+  std::string surface;           ///< name; empty: the parent's
+  Vector3 size{1, 1, 1};         ///< of a box: edge lengths; of a sphere: its three radii
+  double radius = 1;             ///< of a cylinder; of a cone at its base
+  double top_radius = 0;         ///< of a cone; 0 is a pointed one
+  double height = 1;             ///< of a cylinder or cone
+  Shape shape;                   ///< of a primitive with more to say
+  std::vector<Object> children;  ///< of operators; two or more
+  SourcePosition position_in_file;
+};
+
+/// Where the binary tree of rays ends (paper, figure 3).
+struct RayTree {
+  int depth = 4;  ///< secondary rays in a row; 0: primary rays only
+  double minimum_weight = 1.0 / 256;
+};
+
+/// How near numerical solutions come to the exact ones.
+struct Roots {
+  double tolerance = 1;  ///< of those that give a ray's hits, in ulps
+};
+
+/// A checked scene: every name resolves, every value is in its range.
+struct Scene {
+  std::string name;
+  View view;
+  std::vector<Light> lights;
+  Color ambient{0, 0, 0};
+  Color background{0, 0, 0};
+  std::vector<Surface> surfaces;
+  RayTree ray_tree;
+  Roots roots;
+  bool shadows = true;
+  Object object;
+};
+
+}  // namespace maquette::sim

@@ -1,0 +1,101 @@
+#include "sim/scene/scene_checks.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <string>
+#include <string_view>
+
+#include "sim/yaml/description_error.hpp"
+
+namespace maquette::sim {
+namespace {
+
+[[noreturn]] void fail(const YamlNode& root, std::string_view key, const std::string& message) {
+  throw DescriptionError(nearest_node(root, key).place.position(),
+                         std::string{key} + ": " + message);
+}
+
+/// Looks below an object whose surface, where it names none, is that of the objects above it.
+void check_sheets_below(const Object& object, const std::string& surface_above,
+                        const std::vector<Surface>& surfaces) {
+  const std::string& name = object.surface.empty() ? surface_above : object.surface;
+  const auto* patches = std::get_if<PatchesShape>(&object.shape);
+  if (patches != nullptr && !patches->solid) {
+    const auto surface = std::find_if(surfaces.begin(), surfaces.end(),
+                                      [&](const Surface& s) { return s.name == name; });
+    if (surface != surfaces.end() && surface->transparent) {
+      throw DescriptionError(object.position_in_file,
+                             "patches: the surface `" + name +
+                                 "` is transparent, but patches without thickness hold no matter; "
+                                 "an opaque surface or `solid: true` is allowed");
+    }
+  }
+  for (const Object& child : object.children) {
+    check_sheets_below(child, name, surfaces);
+  }
+}
+
+/// The most rays that may follow one through transparent bodies: each is followed by two, and those
+/// of one depth together weigh no more than the first.
+double most_rays(const RayTree& tree) {
+  double rays = 0;
+  double of_depth = 1;
+  for (int depth = 1; depth <= tree.depth; ++depth) {
+    of_depth = std::min(2 * of_depth, 1 / tree.minimum_weight);
+    rays += of_depth;
+  }
+  return rays;
+}
+
+}  // namespace
+
+void check_sheets(const Scene& scene) {
+  check_sheets_below(scene.object, scene.object.surface, scene.surfaces);
+}
+
+void check_view(const View& view, const YamlNode& node) {
+  if (view.eye == view.target) {
+    fail(node, "target", "it is where the eye is, so there is no direction to look");
+  }
+  // The cross product of unit vectors is the sine of the angle between them.
+  constexpr double k_least_sine = 1e-9;
+  const Vector3 direction = glm::normalize(view.target - view.eye);
+  const Vector3 up = glm::normalize(view.up);
+  if (view.up == Vector3{0, 0, 0} || !(glm::length(glm::cross(direction, up)) > k_least_sine)) {
+    fail(node, "up", "it has no part across the direction from eye to target; another is allowed");
+  }
+  if (view.field_of_view_deg.has_value() == view.screen.has_value()) {
+    fail(node, view.screen ? "screen" : "view",
+         "one of field_of_view, screen is allowed and needed");
+  }
+}
+
+void check_surface(const Surface& surface, const YamlNode& node) {
+  if (surface.metal && surface.transparent) {
+    fail(node, "transparent", "a metal is opaque; false is allowed");
+  }
+  if (!surface.metal && surface.index != Color{surface.index.x}) {
+    fail(node, "index", "a dielectric has the same index for the three colours");
+  }
+  if (surface.metal &&
+      (surface.index.x + surface.extinction.x == 0 || surface.index.y + surface.extinction.y == 0 ||
+       surface.index.z + surface.extinction.z == 0)) {
+    fail(node, "metal", "index and extinction are both 0 for one colour");
+  }
+  if (!surface.transparent && surface.absorption != Color{0, 0, 0}) {
+    fail(node, "absorption", "it needs `transparent: true`");
+  }
+}
+
+void check_ray_tree(const Scene& scene, const YamlNode& node) {
+  constexpr double k_most_rays = 1e7;
+  const bool is_binary = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
+                                     [](const Surface& surface) { return surface.transparent; });
+  if (is_binary && !(most_rays(scene.ray_tree) <= k_most_rays)) {
+    fail(node, "ray_tree",
+         "with a transparent surface more than ten million rays may follow one; a larger "
+         "minimum_weight or a smaller depth is allowed");
+  }
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "sim/scene/scene.hpp"
+#include "sim/yaml/yaml_node.hpp"
+
+namespace maquette::sim {
+
+/// Checks what no single value shows; `node` is what the value was read from. Throws
+/// DescriptionError.
+void check_view(const View& view, const YamlNode& node);
+void check_surface(const Surface& surface, const YamlNode& node);
+
+/// Patches without thickness need an opaque surface.
+void check_sheets(const Scene& scene);
+/// Refuses a tree of rays that would hardly end: between transparent bodies each ray is followed by
+/// two, as far as depth and weight allow. `node` is that of the scene.
+void check_ray_tree(const Scene& scene, const YamlNode& node);
+
+}  // namespace maquette::sim

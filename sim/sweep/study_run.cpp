@@ -1,0 +1,137 @@
+#include "sim/sweep/study_run.hpp"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "sim/run/forked_jobs.hpp"
+#include "sim/run/frame_recorder.hpp"
+#include "sim/run/interruption.hpp"
+#include "sim/run/record_store.hpp"
+#include "sim/run/simulation.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+/// Exit code of a point's process that has stored why the point failed.
+constexpr int k_failure_stored = 3;
+
+/// Nothing when the run was interrupted.
+std::optional<PointResult> simulate_point(const Description& description,
+                                          const RecordedFrame* record) {
+  SimulationRequest request;
+  request.record = record;
+  request.picture = false;
+  try {
+    const SimulationResult result =
+        simulate(description.scene, description.machine, request,
+                 [](models::Duration, double) { return !Interruption::is_requested(); });
+    if (result.statistics.partial) {
+      return std::nullopt;
+    }
+    return PointResult{result.statistics, ""};
+  } catch (const std::exception& error) {
+    return PointResult{std::nullopt, error.what()};
+  }
+}
+
+/// The whole life of a point's process.
+int run_point(const StudyPoints& points, const StudyDirectory& directory, int point,
+              const RecordedFrame* record) {
+  try {
+    const std::optional<PointResult> result = simulate_point(points.description(point), record);
+    if (!result) {
+      return k_job_interrupted;
+    }
+    directory.write(point, *result);
+    return result->statistics ? 0 : k_failure_stored;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "maquette: point {}: {}\n", point, error.what());
+    return 1;
+  }
+}
+
+std::string crash_of(const JobEnd& end) {
+  return end.crash.empty() ? fmt::format("its process ended with exit code {}", end.exit_code)
+                           : fmt::format("its process was {}", end.crash);
+}
+
+/// Points that are run one after another: those that share a record, or those that share none.
+struct Batch {
+  std::vector<int> numbers;
+  bool has_record = false;
+};
+
+std::vector<Batch> batches_of(const std::vector<std::string>& records,
+                              const std::vector<int>& numbers) {
+  std::map<std::string, std::vector<int>> sharing;
+  for (const int number : numbers) {
+    sharing[records[static_cast<std::size_t>(number)]].push_back(number);
+  }
+  std::vector<Batch> batches(1);
+  for (auto& [name, sharers] : sharing) {
+    if (sharers.size() > 1) {
+      batches.push_back({std::move(sharers), true});
+    } else {
+      batches.front().numbers.push_back(sharers.front());
+    }
+  }
+  return batches;
+}
+
+/// The frame that the points of a batch replay. On a single thread of the host, since this process
+/// must stay fit to fork.
+std::optional<RecordedFrame> record_of_batch(const StudyPoints& points, const Batch& batch) {
+  if (!batch.has_record) {
+    return std::nullopt;
+  }
+  const Description description = points.description(batch.numbers.front());
+  return record_frame(description.scene, picture_format_of(description.machine), 1);
+}
+
+}  // namespace
+
+std::vector<std::string> check_points(const StudyPoints& points) {
+  std::vector<std::string> records;
+  for (int point = 0; point < points.size(); ++point) {
+    const Description description = points.description(point);
+    check_fit(description.scene, description.machine);
+    records.push_back(record_key_of(description.scene, description.machine).name());
+  }
+  return records;
+}
+
+StudyProgress run_points(const StudyPoints& points, const StudyDirectory& directory,
+                         const std::vector<std::string>& records, const std::vector<int>& numbers,
+                         int processes, const std::function<void(const StudyProgress&)>& show) {
+  StudyProgress progress;
+  progress.planned = static_cast<int>(numbers.size());
+  for (const Batch& batch : batches_of(records, numbers)) {
+    const std::optional<RecordedFrame> record = record_of_batch(points, batch);
+    ForkedJobs jobs;
+    jobs.count = batch.numbers.size();
+    jobs.processes = processes;
+    jobs.run = [&](std::size_t job) {
+      return run_point(points, directory, batch.numbers[job], record ? &*record : nullptr);
+    };
+    jobs.ended = [&](std::size_t job, const JobEnd& end) {
+      if (end.exit_code != 0 && end.exit_code != k_failure_stored) {
+        directory.write(batch.numbers[job], {std::nullopt, crash_of(end)});
+      }
+      ++progress.done;
+      progress.failed += end.exit_code == 0 ? 0 : 1;
+      show(progress);
+    };
+    if (!run_forked(jobs)) {
+      break;
+    }
+  }
+  return progress;
+}
+
+}  // namespace maquette::sim

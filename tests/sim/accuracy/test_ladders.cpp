@@ -1,0 +1,63 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <set>
+
+#include "sim/accuracy/ladders.hpp"
+
+using namespace maquette::sim;
+
+namespace {
+
+bool has(const Ladder& ladder, const std::string& override_text) {
+  return std::any_of(ladder.levels.begin(), ladder.levels.end(), [&](const Level& level) {
+    return std::find(level.overrides.begin(), level.overrides.end(), override_text) !=
+           level.overrides.end();
+  });
+}
+
+Scene scene_with(const RayTree& tree, double specular) {
+  Scene scene;
+  scene.ray_tree = tree;
+  scene.surfaces.resize(1);
+  scene.surfaces[0].specular = specular;
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("ladders have names of their own and a reference") {
+  Scene scene = scene_with({}, 1);
+  scene.object.children.resize(1);
+  scene.object.children[0].kind = ObjectKind::revolution;
+  const std::vector<Ladder> ladders = ladders_of(scene, default_quanta());
+  std::set<std::string> names;
+  for (const Ladder& ladder : ladders) {
+    CHECK(names.insert(ladder.name).second);
+    CHECK(ladder.reference < ladder.levels.size());
+    std::set<std::string> levels;
+    for (const Level& level : ladder.levels) {
+      CHECK(levels.insert(level.name).second);
+    }
+  }
+  const std::vector<std::string> all = ladder_names();
+  CHECK(names == std::set<std::string>(all.begin(), all.end()));
+}
+
+TEST_CASE("what a scene has not is not varied") {
+  CHECK(ladders_of(scene_with({}, 0), {}).size() == 2);
+  CHECK(ladders_of(scene_with({}, 1), {}).size() == 4);
+}
+
+TEST_CASE("the tree of rays is varied around the scene's own, where there is one") {
+  CHECK(has(depth_ladder({5, 0.25}), "ray_tree.depth=5"));
+  CHECK(has(depth_ladder({5, 0.25}), "ray_tree.minimum_weight=0.25"));
+  CHECK(has(weight_ladder({5, 0.03}), "ray_tree.minimum_weight=0.03"));
+  CHECK(has(weight_ladder({5, 0.03}), "ray_tree.depth=5"));
+}
+
+TEST_CASE("no tree of rays grows without bound") {
+  for (const Ladder& ladder : {depth_ladder({1000, 0}), weight_ladder({1000, 0})}) {
+    CHECK_FALSE(has(ladder, "ray_tree.minimum_weight=0"));
+    CHECK_FALSE(has(ladder, "ray_tree.depth=1000"));
+  }
+}

@@ -1,0 +1,149 @@
+#include "sim/record/record_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <random>
+#include <string>
+
+#include "sim/yaml/description_error.hpp"
+
+namespace {
+
+using Catch::Matchers::Contains;
+using maquette::firmware::k_operation_count;
+using maquette::models::SynthesizedPixel;
+using maquette::sim::check_record;
+using maquette::sim::decode_record;
+using maquette::sim::encode_record;
+using maquette::sim::RecordedFrame;
+
+constexpr std::uint32_t k_white = 0xFFFFFF;
+
+// Every bit pattern of a count, and small ones, which are the usual ones.
+std::uint32_t random_count(std::mt19937& random) {
+  return static_cast<std::uint32_t>(random()) >> (random() % 32);
+}
+
+SynthesizedPixel random_pixel(std::mt19937& random) {
+  SynthesizedPixel pixel{};
+  pixel.depth = static_cast<std::uint16_t>(random_count(random));
+  pixel.rgb = static_cast<std::uint32_t>(random()) & k_white;
+  for (std::uint16_t* count :
+       {&pixel.rays.primary, &pixel.rays.reflected, &pixel.rays.refracted, &pixel.rays.shadow}) {
+    *count = static_cast<std::uint16_t>(random_count(random));
+  }
+  for (std::uint32_t& count : pixel.work.counts) {
+    count = random_count(random);
+  }
+  return pixel;
+}
+
+RecordedFrame random_frame(std::mt19937& random) {
+  RecordedFrame frame;
+  const auto number = [&random](int end) { return static_cast<int>(random() % unsigned(end)); };
+  frame.key = {std::string(40, 'a'), std::string(40, 'b'), {1 + number(60), 1 + number(40)}};
+  frame.key.format.has_depth = random() % 2 == 0;
+  auto& zone = frame.useful_zone;
+  zone.width = number(frame.key.format.width + 1);
+  zone.height = zone.width == 0 ? 0 : 1 + number(frame.key.format.height);
+  zone.column0 = zone.width == 0 ? 0 : number(frame.key.format.width - zone.width + 1);
+  zone.row0 = zone.width == 0 ? 0 : number(frame.key.format.height - zone.height + 1);
+  for (std::uint32_t& count : frame.preprocessing.counts) {
+    count = random_count(random);
+  }
+  for (int row = 0; row < zone.height; ++row) {
+    for (int column = 0; column < zone.width; ++column) {
+      frame.pixels.push_back(random_pixel(random));
+      frame.pixels.back().column = static_cast<std::uint16_t>(zone.column0 + column);
+      frame.pixels.back().row = static_cast<std::uint16_t>(zone.row0 + row);
+    }
+  }
+  return frame;
+}
+
+bool are_equal(const SynthesizedPixel& a, const SynthesizedPixel& b) {
+  return a.column == b.column && a.row == b.row && a.depth == b.depth && a.rgb == b.rgb &&
+         std::memcmp(&a.rays, &b.rays, sizeof a.rays) == 0 &&
+         std::memcmp(&a.work, &b.work, sizeof a.work) == 0;
+}
+
+bool are_equal(const RecordedFrame& a, const RecordedFrame& b) {
+  bool equal = a.key.name() == b.key.name() && a.pixels.size() == b.pixels.size() &&
+               std::memcmp(&a.useful_zone, &b.useful_zone, sizeof a.useful_zone) == 0 &&
+               std::memcmp(&a.preprocessing, &b.preprocessing, sizeof a.preprocessing) == 0;
+  for (std::size_t i = 0; equal && i < a.pixels.size(); ++i) {
+    equal = are_equal(a.pixels[i], b.pixels[i]);
+  }
+  return equal;
+}
+
+}  // namespace
+
+TEST_CASE("a record comes back from its file as it was, with the same bytes each time") {
+  std::mt19937 random(31);
+  for (int i = 0; i < 30; ++i) {
+    const RecordedFrame frame = random_frame(random);
+    const std::string bytes = encode_record(frame);
+    REQUIRE(are_equal(decode_record(bytes, "file.exr"), frame));
+    REQUIRE(encode_record(frame) == bytes);
+  }
+}
+
+TEST_CASE("a record holds no clock") {
+  std::mt19937 random(33);
+  const std::string bytes = encode_record(random_frame(random));
+  const std::string date("capDate\0string\0", 15);
+  const std::size_t at = bytes.find(date);
+  REQUIRE((at == std::string::npos || bytes.substr(at + date.size(), 4) == std::string(4, '\0')));
+}
+
+TEST_CASE("every colour survives, and a useful zone may be empty or the whole screen") {
+  RecordedFrame frame;
+  frame.key = {std::string(40, 'a'), std::string(40, 'b'), {256, 1}};
+  REQUIRE(are_equal(decode_record(encode_record(frame), "file.exr"), frame));
+  frame.useful_zone = {0, 0, 256, 1};
+  for (std::uint32_t code = 0; code < 256; ++code) {
+    frame.pixels.push_back(
+        {static_cast<std::uint16_t>(code), 0, 0, code << 16 | (255 - code) << 8 | code, {}, {}});
+  }
+  REQUIRE(are_equal(decode_record(encode_record(frame), "file.exr"), frame));
+}
+
+TEST_CASE("a file that is cut or damaged is refused or read as it was, never a crash") {
+  std::mt19937 random(32);
+  const RecordedFrame frame = random_frame(random);
+  const std::string bytes = encode_record(frame);
+  for (const std::string& wrong : {std::string(), std::string("text"), bytes.substr(0, 100),
+                                   bytes.substr(0, bytes.size() / 2)}) {
+    REQUIRE_THROWS_AS(decode_record(wrong, "file.exr"), maquette::sim::DescriptionError);
+  }
+  for (int i = 0; i < 100; ++i) {
+    std::string damaged = bytes;
+    damaged[random() % (i < 50 ? 400 : damaged.size())] ^= static_cast<char>(1U << random() % 8);
+    try {
+      decode_record(damaged, "file.exr");
+    } catch (const maquette::sim::DescriptionError& error) {
+      REQUIRE_THAT(error.what(), Contains("file.exr"));
+    }
+  }
+}
+
+TEST_CASE("a record of another scene, size or firmware is refused by name") {
+  const maquette::sim::RecordKey key{std::string(40, 'a'), std::string(40, 'b'), {768, 575}};
+  REQUIRE_NOTHROW(check_record(key, key, "file.exr"));
+  auto other = key;
+  other.scene_sha1[7] = 'c';
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
+                      Contains("file.exr: a record of another scene"));
+  other = key;
+  other.format.height = 576;
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
+                      Contains("768 x 576") && Contains("allowed: one of 768 x 575"));
+  other = key;
+  other.format.has_depth = true;
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("a record with depths"));
+  other = key;
+  other.firmware[0] = 'c';
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("firmware c"));
+  REQUIRE(key.name() != other.name());
+}
