@@ -14,7 +14,7 @@
 namespace maquette::sim {
 
 inline std::filesystem::path models_directory() {
-  return std::filesystem::path{__FILE__}.parent_path().parent_path().parent_path() / "models";
+  return MAQUETTE_MODELS_DIRECTORY;
 }
 
 inline std::string read_text(const std::filesystem::path& file) {

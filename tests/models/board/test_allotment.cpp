@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include "machine_run.hpp"
 #include "models/board/allotment.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
+#include "tests/models/machine/machine_run.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <random>
 
 #include "models/bus/arbitration.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

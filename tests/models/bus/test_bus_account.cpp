@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

@@ -3,9 +3,9 @@
 #include <map>
 #include <numeric>
 
-#include "machine_run.hpp"
 #include "models/bus/versabus.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
+#include "tests/models/machine/machine_run.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include "models/board/shared_memory.hpp"
 #include "models/bus/bus_burst.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "models/bus/versabus.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

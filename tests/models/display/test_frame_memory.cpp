@@ -3,7 +3,7 @@
 
 #include "models/display/frame_memory.hpp"
 #include "models/display/video_reader.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include "models/display/video_slots.hpp"
 #include "models/display/video_timing.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "models/machine/ccett_machine.hpp"
-#include "source_of_pixels.hpp"
+#include "tests/models/board/source_of_pixels.hpp"
 
 /// Whole machines for tests.
 namespace maquette::models::traffic {

@@ -2,9 +2,9 @@
 #include <memory>
 #include <stdexcept>
 
-#include "machine_run.hpp"
 #include "models/machine/ccett_machine.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
+#include "tests/models/machine/machine_run.hpp"
 
 namespace {
 

@@ -3,8 +3,8 @@
 #include <catch2/catch.hpp>
 #include <memory>
 
-#include "machine_run.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
+#include "tests/models/machine/machine_run.hpp"
 
 namespace {
 

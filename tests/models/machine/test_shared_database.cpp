@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <memory>
 
-#include "machine_run.hpp"
 #include "models/board/database_cache.hpp"
-#include "traffic.hpp"
+#include "tests/models/bus/traffic.hpp"
+#include "tests/models/machine/machine_run.hpp"
 
 namespace {
 

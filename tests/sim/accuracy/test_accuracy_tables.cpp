@@ -1,11 +1,11 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "random_ladders.hpp"
 #include "sim/accuracy/accuracy_json.hpp"
 #include "sim/accuracy/accuracy_plot.hpp"
 #include "sim/accuracy/accuracy_report.hpp"
 #include "sim/accuracy/accuracy_tables.hpp"
+#include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;
 using maquette::tests::random_ladder;

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "random_ladders.hpp"
+#include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;
 using maquette::models::Duration;

@@ -1,7 +1,7 @@
 #include <catch2/catch.hpp>
 
-#include "random_ladders.hpp"
 #include "sim/accuracy/outcome_bytes.hpp"
+#include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;
 
