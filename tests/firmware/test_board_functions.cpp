@@ -4,7 +4,7 @@
 #include <string>
 
 #include "firmware_version.hpp"
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 using namespace maquette;
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -7,6 +6,7 @@
 
 #include "machine_run.hpp"
 #include "models/board/allotment.hpp"
+#include "tests/catch.hpp"
 #include "traffic.hpp"
 
 namespace {

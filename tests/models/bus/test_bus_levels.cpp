@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <numeric>
 
 #include "machine_run.hpp"
 #include "models/bus/versabus.hpp"
+#include "tests/catch.hpp"
 #include "traffic.hpp"
 
 namespace {

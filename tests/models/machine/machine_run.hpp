@@ -1,11 +1,11 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <utility>
 
 #include "models/machine/ccett_machine.hpp"
 #include "source_of_pixels.hpp"
+#include "tests/catch.hpp"
 
 /// Whole machines for tests.
 namespace maquette::models::traffic {

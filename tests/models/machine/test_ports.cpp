@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <memory>
 
 #include "machine_run.hpp"
+#include "tests/catch.hpp"
 #include "traffic.hpp"
 
 namespace {

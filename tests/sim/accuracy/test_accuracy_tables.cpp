@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "random_ladders.hpp"
@@ -6,6 +5,7 @@
 #include "sim/accuracy/accuracy_plot.hpp"
 #include "sim/accuracy/accuracy_report.hpp"
 #include "sim/accuracy/accuracy_tables.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 using maquette::tests::random_ladder;

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "random_ladders.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 using maquette::models::Duration;

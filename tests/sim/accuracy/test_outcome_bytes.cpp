@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "random_ladders.hpp"
 #include "sim/accuracy/outcome_bytes.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 
