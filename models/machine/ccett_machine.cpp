@@ -87,9 +87,11 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
                             static_cast<std::int64_t>(setup.shared_database.size())};
 
   if (shares_something(parameters)) {
-    std::vector<unsigned char> content(SharedWindow::k_header_bytes);
-    content.insert(content.end(), setup.shared_database.begin(), setup.shared_database.end());
-    content.resize((content.size() + k_long_bytes - 1) / k_long_bytes * k_long_bytes);
+    const std::size_t used_bytes = SharedWindow::k_header_bytes + setup.shared_database.size();
+    std::vector<unsigned char> content((used_bytes + k_long_bytes - 1) / k_long_bytes *
+                                       k_long_bytes);
+    std::copy(setup.shared_database.begin(), setup.shared_database.end(),
+              content.begin() + SharedWindow::k_header_bytes);
     shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size(),
                            parameters.frame_memory.ports);
     for (std::size_t port = 0; port < ports; ++port) {

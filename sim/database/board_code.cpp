@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string_view>
 
-#include "board_functions.hpp"
+#include "firmware/board_functions.hpp"
 #include "firmware/primitives/patches.hpp"
 #include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"

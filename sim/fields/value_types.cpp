@@ -12,8 +12,7 @@ namespace {
   throw DescriptionError(node.place.position(), std::string{name} + ": " + message);
 }
 
-const std::string& scalar_text(const YamlNode& node, std::string_view name,
-                               const std::string& expected) {
+std::string scalar_text(const YamlNode& node, std::string_view name, const std::string& expected) {
   if (node.kind != YamlKind::scalar) {
     fail(node, name, node.kind_name() + " stands here; " + expected + " is allowed");
   }
@@ -30,7 +29,7 @@ std::string range_text(const Range<Value>& bounds, Dimension dimension) {
 template <class Value, class Dimension>
 Value read_quantity(const YamlNode& node, std::string_view name, const Range<Value>& bounds,
                     Dimension dimension) {
-  const std::string& text = scalar_text(
+  const std::string text = scalar_text(
       node, name,
       "a number (" + range_text(bounds, dimension) + ", units: " + unit_list(dimension) + ")");
   Value value{};
@@ -132,7 +131,7 @@ std::string TextType::read(const YamlNode& node, std::string_view name) {
 }
 
 bool FlagType::read(const YamlNode& node, std::string_view name) {
-  const std::string& text = scalar_text(node, name, "true or false");
+  const std::string text = scalar_text(node, name, "true or false");
   if (text != "true" && text != "false") {
     fail(node, name, "`" + text + "` is not known; allowed: true, false");
   }
@@ -141,7 +140,7 @@ bool FlagType::read(const YamlNode& node, std::string_view name) {
 
 std::size_t read_choice(const YamlNode& node, std::string_view name,
                         const std::vector<std::string_view>& names) {
-  const std::string& text = scalar_text(node, name, "one of the names");
+  const std::string text = scalar_text(node, name, "one of the names");
   const auto found = std::find(names.begin(), names.end(), text);
   if (found == names.end()) {
     fail(node, name, "`" + text + "` is not known; " + allowed_names(text, names));

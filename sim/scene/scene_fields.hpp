@@ -119,8 +119,13 @@ void declare_scene(Visitor& visitor, Scene& scene) {
 template <class Visitor>
 void declare_sphere(Visitor& visitor, Object& object) {
   const bool is_round = object.size.x == object.size.y && object.size.y == object.size.z;
-  std::optional<double> radius = is_round ? std::optional{object.size.x} : std::nullopt;
-  std::optional<Vector3> radii = is_round ? std::nullopt : std::optional{object.size};
+  std::optional<double> radius;
+  std::optional<Vector3> radii;
+  if (is_round) {
+    radius = object.size.x;
+  } else {
+    radii = object.size;
+  }
   visitor.field({"radius", "of the sphere"}, radius, k_length);
   visitor.field({"radii", "of an ellipsoid, along x, y, z"}, radii,
                 TripleType{{0, k_largest_length, true}});

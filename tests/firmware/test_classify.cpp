@@ -1,8 +1,7 @@
 #include "firmware/classify.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "firmware/arithmetic/counted.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_model.hpp"
 
 namespace maquette::firmware {

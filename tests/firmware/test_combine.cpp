@@ -1,8 +1,8 @@
 #include "firmware/combine.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware {

@@ -1,8 +1,8 @@
 #include "firmware/depth.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/test_frame.hpp"
 
 using namespace maquette::firmware;

@@ -1,8 +1,8 @@
 #include "firmware/direct_light.hpp"
 
-#include <catch2/catch.hpp>
 #include <memory>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/facet_surface.hpp"
 
 namespace maquette::firmware {

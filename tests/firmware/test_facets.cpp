@@ -1,8 +1,8 @@
 #include "firmware/facets.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/facet_surface.hpp"
 #include "tests/firmware/random_cases.hpp"
 

@@ -1,7 +1,6 @@
 #include "firmware/ray_tree.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/firmware/random_model.hpp"
 
 namespace maquette::firmware {

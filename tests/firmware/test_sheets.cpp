@@ -1,6 +1,5 @@
-#include <catch2/catch.hpp>
-
 #include "firmware/shadow.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/patch_sets.hpp"
 #include "tests/firmware/test_frame.hpp"
 

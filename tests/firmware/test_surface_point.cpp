@@ -1,7 +1,6 @@
 #include "firmware/surface_point.hpp"
 
-#include <catch2/catch.hpp>
-
+#include "tests/catch.hpp"
 #include "tests/firmware/test_frame.hpp"
 
 namespace maquette::firmware {

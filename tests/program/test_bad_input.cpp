@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <regex>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::tests;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -7,6 +6,7 @@
 
 #include "models/machine/ccett_machine.hpp"
 #include "sim/run/contention_statistics.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/board/source_of_pixels.hpp"
 #include "tests/program/program.hpp"
 

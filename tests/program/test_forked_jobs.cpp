@@ -1,5 +1,4 @@
 #include <unistd.h>
-#include <catch2/catch.hpp>
 
 #include <csignal>
 #include <map>
@@ -7,6 +6,7 @@
 
 #include "sim/run/forked_jobs.hpp"
 #include "sim/run/interruption.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

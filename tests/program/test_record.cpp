@@ -1,10 +1,9 @@
-#include <catch2/catch.hpp>
-
 #include "sim/report/image_file.hpp"
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::tests;
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
@@ -58,7 +57,7 @@ TEST_CASE("A run directory keeps a record of its own, which is not made again") 
   std::filesystem::copy_file(other, kept, std::filesystem::copy_options::overwrite_existing);
   const Outcome refused = run_into(scratch / "run", k_sphere, "--processor recorded");
   CHECK(refused.exit_code == 2);
-  CHECK_THAT(refused.errors, Contains("a record of another scene"));
+  CHECK_THAT(refused.errors, ContainsSubstring("a record of another scene"));
   std::filesystem::remove(kept);
   require_good(run_into(scratch / "run", k_sphere, "--processor recorded"));
   CHECK(content_of(kept) == first);
@@ -84,7 +83,7 @@ TEST_CASE("Records that do not belong to a run are refused and nothing is writte
     const Outcome outcome = run_into(scratch / "refused", one.scene, one.options);
     INFO(one.options);
     CHECK(outcome.exit_code == 2);
-    CHECK_THAT(outcome.errors, Contains(one.message));
+    CHECK_THAT(outcome.errors, ContainsSubstring(one.message));
     CHECK_FALSE(std::filesystem::exists(scratch / "refused" / "stats.json"));
   }
 }

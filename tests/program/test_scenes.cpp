@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "firmware/database.hpp"
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::tests;

@@ -1,11 +1,10 @@
-#include <catch2/catch.hpp>
-
 #include "sim/run/interruption.hpp"
 #include "sim/sweep/study_description.hpp"
 #include "sim/sweep/study_results.hpp"
 #include "sim/sweep/study_run.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/yaml_reader.hpp"
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::sim;

@@ -1,7 +1,6 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <csignal>
 #include <regex>
@@ -9,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 using namespace maquette::tests;

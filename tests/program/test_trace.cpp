@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <numeric>
 #include <random>
 
 #include "sim/report/statistics_json.hpp"
 #include "sim/trace/chrome_trace.hpp"
 #include "sim/trace/vcd_trace.hpp"
+#include "tests/catch.hpp"
 #include "tests/program/chrome_reader.hpp"
 #include "tests/program/program.hpp"
 #include "tests/program/vcd_reader.hpp"

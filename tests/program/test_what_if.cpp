@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 #include <string>
 
+#include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
 namespace maquette::tests {

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <cstdint>
 #include <map>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "tests/catch.hpp"
 
 namespace maquette::tests {
 

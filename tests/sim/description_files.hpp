@@ -1,6 +1,5 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -8,6 +7,7 @@
 
 #include "sim/scene/description_loader.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
 /// What the tests of descriptions share.

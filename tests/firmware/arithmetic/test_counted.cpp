@@ -1,9 +1,9 @@
 #include "firmware/arithmetic/counted.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstring>
 #include <thread>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/random_model.hpp"
 
 namespace maquette::firmware {

@@ -1,8 +1,8 @@
 #include "firmware/polynomials/bernstein.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware {

@@ -1,10 +1,10 @@
 #include "firmware/polynomials/real_roots.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/arithmetic/counted.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/primitives/primitive.hpp"
+#include "tests/catch.hpp"
 
 /// What the hits of any primitive must obey.
 namespace maquette::firmware::trial {

@@ -1,9 +1,9 @@
 #include "firmware/primitives/generatrix.hpp"
 
-#include <catch2/catch.hpp>
 #include <vector>
 
 #include "firmware/arithmetic/counted.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::firmware::revolution {

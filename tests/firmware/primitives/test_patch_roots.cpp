@@ -1,11 +1,11 @@
 #include "firmware/primitives/patch_roots.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/vec2.hpp>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/firmware/patch_rays.hpp"
 
 namespace maquette::firmware::patches {

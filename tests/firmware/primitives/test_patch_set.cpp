@@ -1,12 +1,12 @@
 #include "firmware/primitives/patch_set.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 #include <tuple>
 
 #include "firmware/extent.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/patch_sets.hpp"
 
 namespace maquette::firmware::patches {

@@ -1,10 +1,10 @@
 #include "firmware/primitives/patches.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/extent.hpp"
 #include "firmware/primitives/box.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/patch_rays.hpp"
 
 namespace maquette::firmware::patches {

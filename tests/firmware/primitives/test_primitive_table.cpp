@@ -1,9 +1,9 @@
 #include "firmware/primitives/primitive_table.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/extent.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Laws of every primitive in its local frame, against its definition as a set of points.

@@ -1,7 +1,6 @@
 #include "firmware/primitives/prism.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
@@ -9,6 +8,7 @@
 #include "firmware/polynomials/spline.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/outline.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 

@@ -1,13 +1,13 @@
 #include "firmware/primitives/revolution.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "firmware/extent.hpp"
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/generatrix.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 

@@ -1,12 +1,12 @@
 #include "firmware/primitives/terrain.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "firmware/arithmetic/counted.hpp"
 #include "firmware/extent.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/primitives/expanded_terrain.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"

@@ -1,8 +1,7 @@
 #include "firmware/primitives/terrain_triangle.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "firmware/arithmetic/counted.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/primitives/expanded_terrain.hpp"
 
 namespace maquette::firmware::terrain {

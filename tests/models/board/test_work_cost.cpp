@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <stdexcept>
 
 #include "models/board/work_cost.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 
@@ -61,7 +61,7 @@ TEST_CASE("costs that make no sense are refused") {
   CHECK_THROWS_AS(WorkCost(parameters), std::invalid_argument);
   parameters = board();
   parameters.arithmetic.operations[0].clocks = -1000;
-  CHECK_THROWS_WITH(WorkCost(parameters), Catch::Contains("add"));
+  CHECK_THROWS_WITH(WorkCost(parameters), Catch::Matchers::ContainsSubstring("add"));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "models/bus/arbitration.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

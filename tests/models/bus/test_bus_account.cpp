@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <memory>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <numeric>
 
 #include "models/bus/versabus.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
 

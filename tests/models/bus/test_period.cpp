@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <stdexcept>
 
 #include "models/bus/access_law.hpp"
 #include "models/bus/period.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

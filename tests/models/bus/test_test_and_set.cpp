@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <vector>
 
 #include "models/board/shared_memory.hpp"
 #include "models/bus/bus_burst.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

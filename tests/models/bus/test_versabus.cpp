@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 
 #include "models/bus/versabus.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "models/bus/versabus.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

@@ -1,11 +1,11 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <numeric>
 #include <random>
 #include <vector>
 
 #include "models/bus/wait_histogram.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 

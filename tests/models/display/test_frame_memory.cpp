@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <stdexcept>
 
 #include "models/display/frame_memory.hpp"
 #include "models/display/video_reader.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

@@ -1,9 +1,10 @@
 #include "models/display/pixel_format.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <random>
 #include <stdexcept>
+
+#include "tests/catch.hpp"
 
 using maquette::models::FrameMemoryParameters;
 using maquette::models::PixelFormat;

@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <map>
 #include <random>
 #include <stdexcept>
 
 #include "models/display/video_slots.hpp"
 #include "models/display/video_timing.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
 namespace {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <catch2/catch.hpp>
 #include <string>
 #include <utility>
 
 #include "models/machine/ccett_machine.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/board/source_of_pixels.hpp"
 
 /// Whole machines for tests.

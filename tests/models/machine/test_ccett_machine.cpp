@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <memory>
 #include <stdexcept>
 
 #include "models/machine/ccett_machine.hpp"
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
 

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <array>
-#include <catch2/catch.hpp>
 #include <memory>
 
+#include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
 

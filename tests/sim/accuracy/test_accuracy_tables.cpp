@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "sim/accuracy/accuracy_json.hpp"
 #include "sim/accuracy/accuracy_plot.hpp"
 #include "sim/accuracy/accuracy_report.hpp"
 #include "sim/accuracy/accuracy_tables.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;

@@ -1,7 +1,7 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
+#include "tests/catch.hpp"
 #include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;

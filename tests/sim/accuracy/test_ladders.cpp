@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "sim/accuracy/ladders.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

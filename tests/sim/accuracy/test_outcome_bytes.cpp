@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
 
 #include "sim/accuracy/outcome_bytes.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/accuracy/random_ladders.hpp"
 
 using namespace maquette::sim;

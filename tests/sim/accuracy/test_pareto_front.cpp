@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <random>
 
 #include "sim/accuracy/pareto_front.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

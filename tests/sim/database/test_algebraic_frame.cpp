@@ -1,9 +1,9 @@
 #include "sim/database/algebraic_frame.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/primitives/algebraic.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
 

@@ -1,8 +1,7 @@
 #include "sim/database/board_code.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "firmware/primitives/primitive.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette;
 

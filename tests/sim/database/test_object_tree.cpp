@@ -1,9 +1,9 @@
 #include "sim/database/object_tree.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 
 #include "sim/database/needs.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::sim {

@@ -1,9 +1,9 @@
 #include "sim/database/surface_packing.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/facets.hpp"
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -1,11 +1,12 @@
 #include "sim/fields/quantity.hpp"
 
-#include <catch2/catch.hpp>
 #include <clocale>
 #include <cstring>
 #include <limits>
 #include <random>
 #include <stdexcept>
+
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -1,9 +1,8 @@
 #include "sim/primitives/generatrix_curve.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "firmware/primitives/revolution.hpp"
 #include "sim/database/revolution_frame.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
 

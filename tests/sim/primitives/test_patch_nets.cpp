@@ -1,10 +1,10 @@
 #include "sim/primitives/patch_nets.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "firmware/primitives/patches.hpp"
 #include "sim/database/patches_frame.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
 

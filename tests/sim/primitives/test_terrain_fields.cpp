@@ -1,8 +1,7 @@
 #include "sim/primitives/terrain_fields.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "sim/database/terrain_frame.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
 

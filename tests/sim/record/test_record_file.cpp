@@ -1,15 +1,15 @@
 #include "sim/record/record_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <cstring>
 #include <random>
 #include <string>
 
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 namespace {
 
-using Catch::Matchers::Contains;
+using Catch::Matchers::ContainsSubstring;
 using maquette::firmware::k_operation_count;
 using maquette::models::SynthesizedPixel;
 using maquette::sim::check_record;
@@ -123,7 +123,7 @@ TEST_CASE("a file that is cut or damaged is refused or read as it was, never a c
     try {
       decode_record(damaged, "file.exr");
     } catch (const maquette::sim::DescriptionError& error) {
-      REQUIRE_THAT(error.what(), Contains("file.exr"));
+      REQUIRE_THAT(error.what(), ContainsSubstring("file.exr"));
     }
   }
 }
@@ -134,16 +134,18 @@ TEST_CASE("a record of another scene, size or firmware is refused by name") {
   auto other = key;
   other.scene_sha1[7] = 'c';
   REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
-                      Contains("file.exr: a record of another scene"));
+                      ContainsSubstring("file.exr: a record of another scene"));
   other = key;
   other.format.height = 576;
-  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
-                      Contains("768 x 576") && Contains("allowed: one of 768 x 575"));
+  REQUIRE_THROWS_WITH(
+      check_record(key, other, "file.exr"),
+      ContainsSubstring("768 x 576") && ContainsSubstring("allowed: one of 768 x 575"));
   other = key;
   other.format.has_depth = true;
-  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("a record with depths"));
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"),
+                      ContainsSubstring("a record with depths"));
   other = key;
   other.firmware[0] = 'c';
-  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), Contains("firmware c"));
+  REQUIRE_THROWS_WITH(check_record(key, other, "file.exr"), ContainsSubstring("firmware c"));
   REQUIRE(key.name() != other.name());
 }

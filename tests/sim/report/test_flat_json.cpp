@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "sim/report/flat_json.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 using maquette::sim::DescriptionError;
 using maquette::sim::flatten_json;
@@ -23,8 +22,8 @@ TEST_CASE("every value has its path, and numbers keep their digits") {
 
 TEST_CASE("what is not JSON is refused with its place") {
   CHECK_THROWS_WITH(flatten_json("{\n \"a\": 1,\n \"b\" 2}", "s.json"),
-                    Catch::StartsWith("s.json:3:6: "));
-  CHECK_THROWS_WITH(flatten_json("", "s.json"), Catch::StartsWith("s.json:1:1: "));
+                    Catch::Matchers::StartsWith("s.json:3:6: "));
+  CHECK_THROWS_WITH(flatten_json("", "s.json"), Catch::Matchers::StartsWith("s.json:1:1: "));
   for (const char* text : {"{", "[1,]", "{\"a\": nan}", "{} {}", "\xff"}) {
     INFO(text);
     CHECK_THROWS_AS(flatten_json(text, "s.json"), DescriptionError);

@@ -1,7 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "sim/report/flat_yaml.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 using maquette::sim::flatten_yaml;
 using maquette::sim::FlatValues;
@@ -19,6 +18,6 @@ TEST_CASE("every scalar has its path and its own writing") {
 
 TEST_CASE("what is not YAML is refused with its place") {
   CHECK_THROWS_WITH(flatten_yaml("a: 1\nb: [1, 2\nc: }", "config.yaml"),
-                    Catch::StartsWith("config.yaml:3:"));
+                    Catch::Matchers::StartsWith("config.yaml:3:"));
   CHECK_THROWS_AS(flatten_yaml("[a, b]: c\n", "config.yaml"), maquette::sim::DescriptionError);
 }

@@ -1,10 +1,10 @@
-#include <catch2/catch.hpp>
 #include <random>
 #include <set>
 #include <stdexcept>
 
 #include "sim/report/image_file.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 using maquette::models::Picture;
 using maquette::sim::decode_png;
@@ -73,7 +73,8 @@ TEST_CASE("a picture of the wrong size is refused") {
 TEST_CASE("a damaged picture is refused with its name") {
   std::mt19937 random(4);
   const std::string png = encode_png(random_picture(random, 64, 64));
-  CHECK_THROWS_WITH(decode_png("", "a/frame.png"), Catch::Contains("a/frame.png"));
+  CHECK_THROWS_WITH(decode_png("", "a/frame.png"),
+                    Catch::Matchers::ContainsSubstring("a/frame.png"));
   CHECK_THROWS_AS(decode_png("not a picture at all", "x"), DescriptionError);
   for (const std::size_t length : {8U, 20U, 33U, 60U, 200U}) {
     INFO(length);

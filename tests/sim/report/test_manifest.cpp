@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "sim/report/manifest.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
 using maquette::sim::hash_input;

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <chrono>
 
 #include "sim/report/progress.hpp"
+#include "tests/catch.hpp"
 
 using maquette::sim::progress_line;
 using namespace std::chrono_literals;

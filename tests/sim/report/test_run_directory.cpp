@@ -1,13 +1,13 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <catch2/catch.hpp>
 #include <csignal>
 #include <fstream>
 #include <map>
 
 #include "sim/report/run_directory.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
 using maquette::sim::create_run_directory;
@@ -82,6 +82,7 @@ TEST_CASE("a directory that cannot be used is refused at once") {
 
 TEST_CASE("a file that cannot be read is refused with its name") {
   const ScratchDirectory scratch;
-  CHECK_THROWS_WITH(read_file(scratch.path() / "none"), Catch::Contains("none: cannot be read"));
+  CHECK_THROWS_WITH(read_file(scratch.path() / "none"),
+                    Catch::Matchers::ContainsSubstring("none: cannot be read"));
   CHECK_THROWS_AS(read_file(scratch.path()), DescriptionError);
 }

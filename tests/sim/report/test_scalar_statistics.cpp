@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "sim/report/scalar_statistics.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/report/random_statistics.hpp"
 
 using namespace maquette::sim;

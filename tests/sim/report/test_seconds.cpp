@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <limits>
 #include <random>
 #include <string>
 
 #include "sim/report/seconds.hpp"
+#include "tests/catch.hpp"
 
 using maquette::models::Duration;
 using maquette::sim::format_seconds;

@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <random>
 #include <regex>
 #include <sstream>
@@ -6,6 +5,7 @@
 #include "sim/report/flat_json.hpp"
 #include "sim/report/statistics_description.hpp"
 #include "sim/report/statistics_json.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/report/random_statistics.hpp"
 
 TEST_CASE("every key of stats.json is described") {

@@ -1,4 +1,3 @@
-#include <catch2/catch.hpp>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -6,6 +5,7 @@
 
 #include "sim/report/statistics_json.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/report/random_statistics.hpp"
 
 using maquette::models::Duration;
@@ -87,15 +87,18 @@ TEST_CASE("statistics that are not whole are refused with the key") {
   const auto parse = [](const std::string& json) { return parse_statistics(json, "stats.json"); };
   CHECK_NOTHROW(parse(text));
   CHECK_THROWS_WITH(parse(replaced(text, "\"load_s\"", "\"lode_s\"")),
-                    Catch::Contains("stats.json") && Catch::Contains("frame.load_s"));
+                    Catch::Matchers::ContainsSubstring("stats.json") &&
+                        Catch::Matchers::ContainsSubstring("frame.load_s"));
   CHECK_THROWS_WITH(parse(replaced(text, "\"partial\":", "\"spare\": 1, \"partial\":")),
-                    Catch::Contains("unknown key spare"));
+                    Catch::Matchers::ContainsSubstring("unknown key spare"));
   CHECK_THROWS_WITH(parse(replaced(text, "\"partial\": ", "\"partial\": 2, \"spare\": ")),
-                    Catch::Contains("partial") && Catch::Contains("true or false"));
+                    Catch::Matchers::ContainsSubstring("partial") &&
+                        Catch::Matchers::ContainsSubstring("true or false"));
   CHECK_THROWS_WITH(parse(replaced(text, "\"width\": ", "\"width\": 0.5, \"spare\": ")),
-                    Catch::Contains("frame.width") && Catch::Contains("a whole number"));
+                    Catch::Matchers::ContainsSubstring("frame.width") &&
+                        Catch::Matchers::ContainsSubstring("a whole number"));
   CHECK_THROWS_WITH(parse(replaced(text, "\"load_s\": ", "\"load_s\": \"soon\", \"spare\": ")),
-                    Catch::Contains("frame.load_s"));
+                    Catch::Matchers::ContainsSubstring("frame.load_s"));
   for (std::size_t length = 0; length + 2 < text.size(); length += 37) {
     REQUIRE_THROWS_AS(parse(text.substr(0, length)), DescriptionError);
   }

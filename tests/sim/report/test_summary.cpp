@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <chrono>
 #include <sstream>
 
 #include "sim/report/summary.hpp"
+#include "tests/catch.hpp"
 
 using maquette::firmware::Operation;
 using maquette::sim::OperationClocks;

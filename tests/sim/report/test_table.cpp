@@ -1,6 +1,6 @@
-#include <catch2/catch.hpp>
-
 #include "sim/report/table.hpp"
+
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <string>
 #include <vector>
 
+#include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
 namespace maquette::sim {

@@ -1,7 +1,7 @@
-#include <catch2/catch.hpp>
 #include <random>
 #include <string>
 
+#include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
 namespace maquette::sim {

@@ -1,9 +1,8 @@
 #include "sim/scene/description_loader.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "sim/machine/machine_description.hpp"
 #include "sim/yaml/yaml_reader.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
 namespace maquette::sim {

@@ -1,6 +1,5 @@
 #include "sim/scene/placement.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <random>
@@ -9,6 +8,7 @@
 #include "sim/scene/rotation.hpp"
 #include "sim/yaml/yaml_reader.hpp"
 #include "sim/yaml/yaml_writer.hpp"
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 namespace {

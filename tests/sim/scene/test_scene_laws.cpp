@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
 #include <memory>
@@ -7,6 +6,7 @@
 #include "firmware/arithmetic/counted.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/stability/scene_scale.hpp"
+#include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Laws that whole pictures keep.

@@ -1,12 +1,12 @@
 #include "sim/stability/root_families.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
 #include <set>
 
 #include "sim/stability/exact_roots.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
 namespace maquette::sim {
@@ -62,7 +62,7 @@ TEST_CASE("A table of exact roots that is damaged is refused with its line") {
   const tests::ScratchDirectory directory;
   const std::string file =
       write_file(directory, "roots.txt", "random 24 1 -1 0 1 0 1 0.5\nrandom 24 2 1 0 1\n");
-  CHECK_THROWS_WITH(exact_cases(file, 24), Catch::Contains("roots.txt:2:1: "));
+  CHECK_THROWS_WITH(exact_cases(file, 24), Catch::Matchers::ContainsSubstring("roots.txt:2:1: "));
   CHECK_THROWS_AS(exact_cases((directory.path() / "none").string(), 24), DescriptionError);
 }
 

@@ -1,9 +1,9 @@
 #include "sim/stability/stability_checks.hpp"
 
-#include <catch2/catch.hpp>
 #include <set>
 
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
 namespace maquette::sim {

@@ -1,7 +1,8 @@
 #include "sim/stability/stability_report.hpp"
 
-#include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
+
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -26,8 +27,8 @@ TEST_CASE("The table shows a line for each figure, its values side by side, a ma
   const std::size_t line = table.find("parity errors");
   REQUIRE(line != std::string::npos);
   const std::string values = table.substr(line, table.find('\n', line) - line);
-  CHECK_THAT(values, Catch::Matches("parity errors *! 3 *0 *0 *0 *"));
-  CHECK_THAT(table, Catch::Contains("1000000"));
+  CHECK_THAT(values, Catch::Matchers::Matches("parity errors *! 3 *0 *0 *0 *"));
+  CHECK_THAT(table, Catch::Matchers::ContainsSubstring("1000000"));
   CHECK(table.find("roots\n") < table.find("csg\n"));
 }
 

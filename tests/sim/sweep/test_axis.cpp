@@ -1,9 +1,8 @@
-#include <catch2/catch.hpp>
-
 #include "sim/sweep/axis.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/yaml_reader.hpp"
 #include "sim/yaml/yaml_writer.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <filesystem>
 
 #include "sim/plot/gnuplot.hpp"
 #include "sim/report/quantile.hpp"
 #include "sim/sweep/plot_script.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
 using namespace maquette::sim;

@@ -1,8 +1,7 @@
-#include <catch2/catch.hpp>
-
 #include "sim/report/statistics_json.hpp"
 #include "sim/sweep/point_result.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 #include "tests/sim/report/random_statistics.hpp"
 
 using namespace maquette::sim;

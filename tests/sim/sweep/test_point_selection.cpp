@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <map>
 #include <set>
 
 #include "sim/sweep/point_selection.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

@@ -1,9 +1,9 @@
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "sim/sweep/value_range.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "tests/catch.hpp"
 
 using namespace maquette::sim;
 

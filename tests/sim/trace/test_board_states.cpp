@@ -1,8 +1,8 @@
-#include <catch2/catch.hpp>
 #include <random>
 #include <utility>
 
 #include "sim/trace/board_states.hpp"
+#include "tests/catch.hpp"
 
 using maquette::models::Duration;
 using maquette::models::Instant;

@@ -1,6 +1,6 @@
 #include "sim/yaml/nearest_name.hpp"
 
-#include <catch2/catch.hpp>
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 

@@ -1,10 +1,10 @@
 #include "sim/yaml/yaml_writer.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 #include <string>
 
 #include "sim/yaml/yaml_reader.hpp"
+#include "tests/catch.hpp"
 
 namespace maquette::sim {
 namespace {
