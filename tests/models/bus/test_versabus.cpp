@@ -1,4 +1,3 @@
-
 #include "models/bus/versabus.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"

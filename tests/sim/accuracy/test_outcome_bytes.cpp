@@ -1,4 +1,3 @@
-
 #include "sim/accuracy/outcome_bytes.hpp"
 #include "tests/catch.hpp"
 #include "tests/sim/accuracy/random_ladders.hpp"
