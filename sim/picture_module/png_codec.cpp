@@ -21,6 +21,27 @@ OIIO::ImageSpec png_specification(const PngImage& image) {
   return specification;
 }
 
+// OpenImageIO 2.5 writes a chunk of Exif data where there are none, 2.4 writes no chunk. Left out,
+// it lets the file be the same from both.
+std::string without_exif(const std::vector<unsigned char>& file) {
+  constexpr std::size_t signature_bytes = 8;
+  constexpr std::size_t frame_bytes = 12;  // of a chunk: length, type, check sum
+  std::string bytes(file.begin(), file.begin() + signature_bytes);
+  for (std::size_t place = signature_bytes; place + frame_bytes <= file.size();) {
+    const auto chunk = file.begin() + static_cast<std::ptrdiff_t>(place);
+    std::size_t length = 0;
+    for (auto byte = chunk; byte != chunk + 4; ++byte) {
+      length = length << 8 | *byte;
+    }
+    const auto end = chunk + static_cast<std::ptrdiff_t>(frame_bytes + length);
+    if (std::string(chunk + 4, chunk + 8) != "eXIf") {
+      bytes.append(chunk, end);
+    }
+    place += frame_bytes + length;
+  }
+  return bytes;
+}
+
 std::string encode(const PngImage& image, std::string& bytes) {
   std::vector<unsigned char> file;
   OIIO::Filesystem::IOVecOutput memory(file);
@@ -33,7 +54,7 @@ std::string encode(const PngImage& image, std::string& bytes) {
       !output->write_image(OIIO::TypeDesc::UINT8, image.channels.data()) || !output->close()) {
     return "OpenImageIO cannot write PNG: " + first_error(*output);
   }
-  bytes.assign(file.begin(), file.end());
+  bytes = without_exif(file);
   return {};
 }
 
