@@ -30,6 +30,9 @@ void check(const VersaBusParameters& parameters) {
       parameters.timeout < Duration::zero()) {
     throw std::invalid_argument("times of a VERSAbus must not be negative");
   }
+  if (parameters.quantum < Duration::zero()) {
+    throw std::invalid_argument("the quantum of a bus must not be negative");
+  }
 }
 
 }  // namespace
@@ -42,7 +45,7 @@ VersaBus::VersaBus(const sc_core::sc_module_name& name, const VersaBusParameters
       timeout_(parameters.timeout),
       wake_("wake") {
   check(parameters);
-  arbiter_ = make_arbiter(parameters, account_);
+  arbiter_ = parameters.level.make_arbiter(parameters, account_);
   master_sockets_.register_b_transport(this, &VersaBus::b_transport);
   master_sockets_.register_transport_dbg(this, &VersaBus::transport_dbg);
   SC_HAS_PROCESS(VersaBus);

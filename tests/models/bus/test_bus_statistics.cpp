@@ -1,9 +1,9 @@
 #include "models/bus/bus_statistics.hpp"
 
-#include <catch2/catch.hpp>
 #include <random>
 
-#include "traffic.hpp"
+#include "tests/catch.hpp"
+#include "tests/models/bus/traffic.hpp"
 
 namespace {
 

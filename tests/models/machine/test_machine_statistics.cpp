@@ -1,16 +1,18 @@
 // The build compiles this file, as the rooms of results, where SystemC cannot be seen.
 #include "models/machine/machine_statistics.hpp"
 
-#include <catch2/catch.hpp>
 #include <type_traits>
+
+#include "tests/catch.hpp"
 
 namespace {
 
 using namespace maquette::models;
 
 template <class Statistics>
-constexpr bool is_plain_data = std::is_aggregate_v<Statistics>&&
-    std::is_copy_assignable_v<Statistics>&& std::is_nothrow_move_constructible_v<Statistics>;
+constexpr bool is_plain_data =
+    std::conjunction_v<std::is_aggregate<Statistics>, std::is_copy_assignable<Statistics>,
+                       std::is_nothrow_move_constructible<Statistics>>;
 
 TEST_CASE("statistics of a machine are plain data, made and kept without one") {
   STATIC_REQUIRE(is_plain_data<MachineStatistics>);
