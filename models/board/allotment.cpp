@@ -28,15 +28,21 @@ void check(const AllotmentParameters& parameters, const PixelRectangle& zone, in
 
 PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const PixelRectangle& zone,
                                int boards)
-    : zone_(zone),
-      cut_in_bands_(parameters.order == Allotment::bands),
-      unit_width_(std::max(zone.width, 1)) {
+    : zone_(zone), unit_width_(std::max(zone.width, 1)) {
   check(parameters, zone, boards);
-  if (parameters.order == Allotment::interleaved_pixels) {
-    unit_width_ = 1;
-  } else if (parameters.order == Allotment::tiles) {
-    unit_width_ = parameters.tile_width;
-    unit_height_ = parameters.tile_height;
+  switch (parameters.order) {
+    case Allotment::interleaved_pixels:
+      unit_width_ = 1;
+      break;
+    case Allotment::interleaved_lines:
+      break;
+    case Allotment::bands:
+      cut_in_bands_ = true;
+      break;
+    case Allotment::tiles:
+      unit_width_ = parameters.tile_width;
+      unit_height_ = parameters.tile_height;
+      break;
   }
   units_are_equal_ = !cut_in_bands_ && unit_height_ == 1 && zone.width % unit_width_ == 0;
   units_per_row_ = parts(zone.width, unit_width_);

@@ -51,7 +51,7 @@ class PixelAllotment {
   [[nodiscard]] PixelPosition in_zone(std::int64_t column, std::int64_t row) const;
 
   PixelRectangle zone_;
-  bool cut_in_bands_;
+  bool cut_in_bands_ = false;
   int unit_width_;  // of units other than bands, where the zone does not cut them
   int unit_height_ = 1;
   bool units_are_equal_ = false;  // in pixels, row by row

@@ -10,6 +10,17 @@ enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles };
 /// How boards come to their units: every n-th one, or the next one of a counter that they share.
 enum class Assignment { fixed, on_demand };
 
+/// Whether boards claim each unit that they take.
+constexpr bool is_claimed(Assignment assignment) {
+  switch (assignment) {
+    case Assignment::fixed:
+      return false;
+    case Assignment::on_demand:
+      break;
+  }
+  return true;
+}
+
 /// How a board claims a unit: TAS on the counter's lock until it is free, MOVE.L of the counter,
 /// ADDQ.L, MOVE.L back, MOVE.B that clears the lock. Processor clocks besides the bus accesses.
 struct ClaimParameters {

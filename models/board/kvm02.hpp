@@ -10,12 +10,12 @@
 
 #include "models/board/allotment.hpp"
 #include "models/board/allotment_parameters.hpp"
+#include "models/board/board_statistics.hpp"
 #include "models/board/database_cache.hpp"
 #include "models/board/kvm02_parameters.hpp"
 #include "models/board/pixel_source.hpp"
 #include "models/board/shared_memory.hpp"
 #include "models/board/work_cost.hpp"
-#include "models/board/work_totals.hpp"
 #include "models/bus/bus_burst.hpp"
 #include "models/bus/instant.hpp"
 #include "models/bus/versabus.hpp"
@@ -47,26 +47,6 @@ struct BoardSite {
   std::uint64_t ram_base;  ///< of its own RAM
   FrameWindow frame;
   SharedWindow shared;
-};
-
-/// What a board did with its time. The four states sum to the time from the start of the frame to
-/// the instant for which they were asked.
-struct BoardStatistics {
-  Duration compute{};        ///< preprocessing, synthesis, and its own clocks between two words
-  Duration wait_grant{};     ///< bus requested, not granted
-  Duration transfer{};       ///< bus granted, until released
-  Duration idle{};           ///< after its last pixel
-  Duration preprocessing{};  ///< of `compute`
-  Duration longest_wait{};   ///< for one grant
-  Instant longest_wait_request{};
-  std::optional<Instant> finished;  ///< end of its last work, when it has ended
-  std::int64_t pixels = 0;
-  std::int64_t words = 0;
-  Duration claiming{};      ///< of the states: for units, from the first try to the last step
-  std::int64_t claims = 0;  ///< the last one of a board finds no unit left
-  std::int64_t database_words = 0;  ///< of `words`: read from a shared database
-  std::int64_t failed_tries = 0;    ///< test-and-set cycles that found the lock taken
-  WorkTotals work;                  ///< of its pixels
 };
 
 /// A KVM02 board (M68KVM02): a processor that spends the time of its work and writes its pixels as

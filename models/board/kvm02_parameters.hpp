@@ -11,11 +11,44 @@ namespace maquette::models {
 /// or at the end of its block of words ("direct"), earlier when BCLR is raised by a higher level.
 enum class ReleasePolicy { each_access, block };
 
+/// Whether the bus is kept between the accesses of a burst.
+constexpr bool keeps_bus(ReleasePolicy policy) {
+  switch (policy) {
+    case ReleasePolicy::each_access:
+      return false;
+    case ReleasePolicy::block:
+      break;
+  }
+  return true;
+}
+
 /// When a board writes its pixels: each as soon as it is known, or a line of its pixels together.
 enum class PixelWrite { pixel, line };
 
+/// Whether pixels are kept until their line is complete.
+constexpr bool keeps_line(PixelWrite write) {
+  switch (write) {
+    case PixelWrite::pixel:
+      return false;
+    case PixelWrite::line:
+      break;
+  }
+  return true;
+}
+
 /// Where boards read the scene: in their RAM, or over the bus in a memory that they share.
 enum class DatabasePlace { own_copy, shared };
+
+/// Whether boards read the scene over the bus.
+constexpr bool is_shared(DatabasePlace place) {
+  switch (place) {
+    case DatabasePlace::own_copy:
+      return false;
+    case DatabasePlace::shared:
+      break;
+  }
+  return true;
+}
 
 /// A KVM02 board: processor, RAM, its side of the bus.
 struct Kvm02Parameters {

@@ -55,8 +55,7 @@ WorkCost::WorkCost(const Kvm02Parameters& board)
     }
     milliclocks_[operation] = std::llround(clocks * k_milli);
   }
-  if (board.database == DatabasePlace::shared &&
-      milliclocks(firmware::Operation::load) < datum_milliclocks_) {
+  if (is_shared(board.database) && milliclocks(firmware::Operation::load) < datum_milliclocks_) {
     throw std::invalid_argument("board.database_read must not cost more than a load");
   }
 }

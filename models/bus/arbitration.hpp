@@ -1,7 +1,9 @@
 #pragma once
 
+#include <string_view>
+
+#include "models/bus/bus_master_place.hpp"
 #include "models/bus/instant.hpp"
-#include "models/bus/versabus_parameters.hpp"
 
 namespace maquette::models {
 
@@ -24,16 +26,20 @@ struct Contenders {
   [[nodiscard]] const Contender* end() const { return last; }
 };
 
-/// Highest level first; within a level the one nearest to the arbiter in the daisy chain
-/// (VM02 data sheet p. 2-54 and 2-58; order in the chain as on its successor VMEbus). Returns the
-/// number of the master that gets the bus.
-int choose_by_priority(const Contenders& contenders);
+/// Which master the arbiter of the bus prefers among those of the same instant. A policy is a
+/// constant in a file of its own and a row of arbitration_policies.hpp.
+struct ArbitrationPolicy {
+  std::string_view name;  ///< in descriptions
 
-/// The first contender after `previous` in the ring of master numbers, whatever its level; with no
-/// previous master the lowest number.
-int choose_in_turn(const Contenders& contenders, int previous);
+  /// The number of the master that gets the bus. `previous` is the last one that had it, or
+  /// k_nobody.
+  int (*choose)(const Contenders& contenders, int previous);
 
-/// What the policy chooses. `previous` is the last master that had the bus, or k_nobody.
-int choose(ArbitrationPolicy policy, const Contenders& contenders, int previous);
+  bool clears_bus;  ///< a request of a strictly higher level ends another's block (BCLR)
+};
+
+constexpr bool operator==(const ArbitrationPolicy& a, const ArbitrationPolicy& b) {
+  return a.name == b.name;
+}
 
 }  // namespace maquette::models

@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "models/bus/arbitration_priority.hpp"
 
-#include "models/bus/arbitration.hpp"
+#include <algorithm>
 
 namespace maquette::models {
 
@@ -15,7 +15,7 @@ bool comes_before(const Contender& a, const Contender& b) {
 
 }  // namespace
 
-int choose_by_priority(const Contenders& contenders) {
+int choose_by_priority(const Contenders& contenders, int /*previous*/) {
   return std::min_element(contenders.begin(), contenders.end(), comes_before)->master;
 }
 

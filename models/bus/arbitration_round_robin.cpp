@@ -1,6 +1,6 @@
-#include <algorithm>
+#include "models/bus/arbitration_round_robin.hpp"
 
-#include "models/bus/arbitration.hpp"
+#include <algorithm>
 
 namespace maquette::models {
 

@@ -61,7 +61,7 @@ void BusAccount::found_occupied(int master, int occupant, Duration rest) {
   standing_[static_cast<std::size_t>(master)][static_cast<std::size_t>(occupant)] += rest;
 }
 
-void BusAccount::settle(const BusAccess& access) {
+void BusAccount::assign_waits(const BusAccess& access) {
   const auto index = static_cast<std::size_t>(access.master);
   for (std::size_t other = 0; other < standing_.size(); ++other) {
     statistics_.waited_for[index][other] += standing_[index][other];
@@ -86,7 +86,7 @@ void BusAccount::record(const BusAccess& access, Instant decision) {
   }
   if (decision > access.request) {
     ++master.delayed;
-    settle(access);
+    assign_waits(access);
   }
   statistics_.waited_for[index][index] += arbitration;
   queued_[index] = false;
@@ -104,11 +104,11 @@ void BusAccount::record_longest_wait(const BusAccess& access) {
 }
 
 BusStatistics BusAccount::statistics() const {
-  BusAccount settled = *this;
+  BusAccount known = *this;
   if (grant_ != k_never) {
-    settled.pass_queue_time(grant_);
+    known.pass_queue_time(grant_);
   }
-  return settled.statistics_;
+  return known.statistics_;
 }
 
 }  // namespace maquette::models

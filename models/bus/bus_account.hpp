@@ -54,7 +54,7 @@ class BusAccount {
     return statistics_.masters[static_cast<std::size_t>(master)];
   }
   void record_longest_wait(const BusAccess& access);
-  void settle(const BusAccess& access);
+  void assign_waits(const BusAccess& access);
   void pass_queue_time(Instant to);
 
   BusStatistics statistics_;

@@ -1,11 +1,7 @@
 #pragma once
 
-#include <memory>
-
 #include "models/bus/arbitration.hpp"
-#include "models/bus/bus_account.hpp"
 #include "models/bus/instant.hpp"
-#include "models/bus/versabus_parameters.hpp"
 
 namespace maquette::models {
 
@@ -18,8 +14,8 @@ struct BusGrant {
   bool kept = false;  ///< until the decision, the master of the access before kept the bus
 };
 
-/// How the bus behaves: which of the requests is granted next, and when. One implementation per
-/// level of abstraction; the bus itself does not know which one it has.
+/// How the bus behaves: which of the requests is granted next, and when. Each BusLevel
+/// makes one; the bus itself does not know which one it has.
 class BusArbiter {
  public:
   BusArbiter() = default;
@@ -44,10 +40,5 @@ class BusArbiter {
   /// The access of the last grant ends; its master keeps the bus until its next one if `keeps`.
   virtual void release(const BusGrant& granted, Instant end, bool keeps) = 0;
 };
-
-/// The arbiter of the bus's level. It keeps the account of queues and occupation, by reference.
-/// Throws std::invalid_argument for a negative quantum.
-[[nodiscard]] std::unique_ptr<BusArbiter> make_arbiter(const VersaBusParameters& parameters,
-                                                       BusAccount& account);
 
 }  // namespace maquette::models

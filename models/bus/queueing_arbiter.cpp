@@ -35,7 +35,7 @@ Instant QueueingArbiter::next_decision() const {
 }
 
 Instant QueueingArbiter::earliest_clear_request() const {
-  if (policy_ == ArbitrationPolicy::priority) {
+  if (policy_.clears_bus) {
     const Contender& holder = requests_.of(holder_);
     for (const Contender& other : requests_.up_to(holder.request)) {
       if (other.place.level > holder.place.level) {
@@ -74,7 +74,7 @@ BusGrant QueueingArbiter::decide() {
     holder_ = k_nobody;
     free_at_ = instant;
   }
-  const int winner = is_in_turn() ? runner_ : choose(policy_, standing, previous_);
+  const int winner = is_in_turn() ? runner_ : policy_.choose(standing, previous_);
   const bool handover = previous_ != k_nobody && previous_ != winner;
   return granted(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_),
                  kept);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "models/bus/bus_account.hpp"
 #include "models/bus/bus_arbiter.hpp"
 #include "models/bus/request_queue.hpp"
+#include "models/bus/versabus_parameters.hpp"
 
 namespace maquette::models {
 
@@ -10,10 +12,10 @@ namespace maquette::models {
 /// A master's request stands from its instant R. Arbitration starts at S = max(R, end of the
 /// previous access); of all requests up to S the policy picks one, which is granted the bus at
 /// G = S + arbitration_clocks (+ handover_clocks when another master had the bus before). A burst
-/// that keeps the bus (BBSY) needs no arbitration after its first access; under the priority policy
-/// a request of a strictly higher level (BCLR) makes its master release the bus at the end of the
-/// current access, or at once when it is between two accesses, and arbitrate again. Assumption: a
-/// first grant pays no hand-over.
+/// that keeps the bus (BBSY) needs no arbitration after its first access; under a policy
+/// that clears the bus a request of a strictly higher level (BCLR) makes its master release the bus
+/// at the end of the current access, or at once when it is between two accesses, and arbitrate
+/// again. Assumption: a first grant pays no hand-over.
 ///
 /// With a quantum the masters are decoupled in time (IEEE 1666-2011, section 12): time is cut into
 /// quanta, and the master that has won an arbitration has its turn until the end of the quantum in

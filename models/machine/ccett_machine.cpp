@@ -29,8 +29,7 @@ std::uint64_t ram_block(const Kvm02Parameters& board) {
 }
 
 bool shares_something(const MachineParameters& parameters) {
-  return parameters.allotment.assignment == Assignment::on_demand ||
-         parameters.board.database == DatabasePlace::shared;
+  return is_claimed(parameters.allotment.assignment) || is_shared(parameters.board.database);
 }
 
 std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
@@ -45,11 +44,10 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
   if (!setup.images.empty() && setup.images.size() != parameters.boards.size()) {
     throw std::invalid_argument("there must be one image per board");
   }
-  if (parameters.allotment.assignment == Assignment::on_demand &&
-      parameters.frame_memory.ports > 1) {
+  if (is_claimed(parameters.allotment.assignment) && parameters.frame_memory.ports > 1) {
     throw std::invalid_argument("units on demand need a frame memory of one port");
   }
-  if ((parameters.board.database == DatabasePlace::shared) == setup.shared_database.empty()) {
+  if (is_shared(parameters.board.database) == setup.shared_database.empty()) {
     throw std::invalid_argument("a shared database must be given, and only when it is shared");
   }
   for (const auto& image : setup.images) {
@@ -104,7 +102,7 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
     }
   }
   BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};
-  if (parameters.allotment.assignment == Assignment::on_demand) {
+  if (is_claimed(parameters.allotment.assignment)) {
     share.claim = parameters.allotment.claim;
   }
   for (std::size_t index = 0; index < parameters.boards.size(); ++index) {

@@ -16,6 +16,7 @@
 #include "models/display/video_timing.hpp"
 #include "models/machine/host.hpp"
 #include "models/machine/machine_parameters.hpp"
+#include "models/machine/machine_statistics.hpp"
 
 namespace maquette::models {
 
@@ -26,17 +27,6 @@ struct FrameSetup {
   std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
   std::vector<unsigned char> shared_database;      ///< when boards have no copies
   bool keep_log = false;                           ///< of the writes, for pictures at an instant
-};
-
-/// Figures of a whole run, exact in ticks.
-struct MachineStatistics {
-  bool has_finished = false;            ///< all boards are done
-  Duration load_time{};                 ///< from instant 0: the host writes the images
-  Duration frame_time{};                ///< from the boards' start to the last one's end
-  std::vector<BoardStatistics> boards;  ///< each one's states sum to frame_time
-  BusStatistics bus;                    ///< masters: boards, then host; all backplanes as one
-  int backplanes = 1;
-  HostStatistics host;
 };
 
 /// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus, or on as many backplanes

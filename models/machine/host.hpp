@@ -2,16 +2,16 @@
 
 #include <tlm_utils/simple_initiator_socket.h>
 #include <cstdint>
-#include <optional>
 #include <systemc>
 #include <tlm>
 #include <vector>
 
 #include "models/board/kvm02_parameters.hpp"
 #include "models/bus/bus_transaction.hpp"
-#include "models/bus/instant.hpp"
+#include "models/bus/duration.hpp"
 #include "models/bus/versabus.hpp"
 #include "models/machine/host_parameters.hpp"
+#include "models/machine/host_statistics.hpp"
 
 namespace maquette::models {
 
@@ -26,13 +26,6 @@ struct Backplane {
   VersaBus& bus;
   std::vector<int> boards;        ///< masters of the bus, held until everything is loaded
   std::vector<LoadImage> images;  ///< in their order
-};
-
-struct HostStatistics {
-  std::optional<Instant> finished;  ///< all boards loaded and started, when they are
-  std::int64_t words = 0;
-  Duration waited{};
-  Duration transferred{};
 };
 
 /// The EXORmacs host: holds the boards in reset, writes images into memories as a bus master word

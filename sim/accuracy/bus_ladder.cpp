@@ -1,3 +1,6 @@
+#include <string>
+
+#include "models/bus/bus_levels.hpp"
 #include "sim/accuracy/ladders.hpp"
 
 namespace maquette::sim {
@@ -10,13 +13,19 @@ Ladder bus_ladder(const std::vector<std::string>& quanta) {
   Ladder ladder{"bus",
                 "how exactly the bus is simulated (bus.level, bus.quantum)",
                 ErrorMeasure::frame_time,
-                {{"transaction", {"bus.level=transaction"}}},
+                {},
                 0};
-  for (const std::string& quantum : quanta) {
-    ladder.levels.push_back(
-        {"decoupled " + quantum, {"bus.level=decoupled", "bus.quantum=" + quantum}});
+  for (const models::BusLevel& level : models::k_bus_levels) {
+    const std::string name(level.name);
+    if (!level.has_quantum) {
+      ladder.levels.push_back({name, {"bus.level=" + name}});
+      continue;
+    }
+    for (const std::string& quantum : quanta) {
+      ladder.levels.push_back(
+          {name + " " + quantum, {"bus.level=" + name, "bus.quantum=" + quantum}});
+    }
   }
-  ladder.levels.push_back({"ideal", {"bus.level=ideal"}});
   return ladder;
 }
 

@@ -1,5 +1,11 @@
 #include "sim/command_line/common_options.hpp"
 
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "models/bus/bus_levels.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -24,11 +30,16 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 }
 
 void add_bus_options(CLI::App& verb, BusOptions& options) {
+  std::vector<std::string> names;
+  std::vector<std::string_view> sentences;
+  for (const models::BusLevel& level : models::k_bus_levels) {
+    names.emplace_back(level.name);
+    sentences.push_back(level.sentence);
+  }
   verb.add_option("--bus", options.level,
-                  "how exactly the bus is simulated (default: bus.level of the machine): every "
-                  "request arbitrated at its instant; boards that run ahead of one another for a "
-                  "quantum; no contention at all")
-      ->check(CLI::IsMember({"transaction", "decoupled", "ideal"}));
+                  "how exactly the bus is simulated (default: bus.level of the machine): " +
+                      fmt::format("{}", fmt::join(sentences, "; ")))
+      ->check(CLI::IsMember(names));
   verb.add_option("--quantum", options.quantum,
                   "how long boards run ahead of one another with --bus decoupled (default: "
                   "bus.quantum of the machine)")

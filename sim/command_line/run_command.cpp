@@ -7,8 +7,11 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <thread>
+#include <vector>
 
+#include "models/bus/bus_levels.hpp"
 #include "sim/command_line/common_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/report/image_file.hpp"
@@ -130,17 +133,26 @@ void add_pictures(const std::string& name, const std::vector<models::Duration>& 
   }
 }
 
+std::vector<std::string_view> exclusive_levels() {
+  std::vector<std::string_view> names;
+  for (const models::BusLevel& level : models::k_bus_levels) {
+    if (level.is_exclusive) {
+      names.push_back(level.name);
+    }
+  }
+  return names;
+}
+
 Description described(const RunOptions& options) {
   DescriptionSources sources = sources_of(options.common);
   for (const std::string& override_text : overrides_of(options.bus)) {
     sources.overrides.push_back(override_text);
   }
   Description description = load_description(sources);
-  if (!options.traces.empty() &&
-      description.machine.parameters.bus.level == models::BusLevel::ideal) {
-    throw DescriptionError(
-        "--trace shows one master of the bus at a time; bus.level transaction or decoupled is "
-        "allowed with it");
+  if (!options.traces.empty() && !description.machine.parameters.bus.level.is_exclusive) {
+    throw DescriptionError(fmt::format(
+        "--trace shows one master of the bus at a time; bus.level {} is allowed with it",
+        fmt::join(exclusive_levels(), " or ")));
   }
   return description;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -127,6 +128,16 @@ struct ChoiceType {
     return list;
   }
 };
+
+/// The rows of a table as choices, each under its `name`.
+template <class Row, std::size_t size>
+[[nodiscard]] ChoiceType<Row> choices_of(const Row (&rows)[size]) {
+  ChoiceType<Row> type;
+  for (const Row& row : rows) {
+    type.choices.emplace_back(row.name, row);
+  }
+  return type;
+}
 
 /// Moves what a type read into the member that keeps it.
 template <class Value, class Read>

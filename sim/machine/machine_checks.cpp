@@ -143,8 +143,7 @@ void check_board(const Machine& machine, const YamlNode& root) {
 
 /// Backplanes keep their own time, so what boards of several do to one counter has no exact order.
 void check_ports(const models::MachineParameters& parameters, const YamlNode& root) {
-  if (parameters.allotment.assignment == models::Assignment::on_demand &&
-      parameters.frame_memory.ports > 1) {
+  if (models::is_claimed(parameters.allotment.assignment) && parameters.frame_memory.ports > 1) {
     fail_at(root, "allotment.assignment",
             "on_demand is allowed with frame_memory.ports=1 only, whose bus orders the claims");
   }

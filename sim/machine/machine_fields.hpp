@@ -1,5 +1,7 @@
 #pragma once
 
+#include "models/bus/arbitration_policies.hpp"
+#include "models/bus/bus_levels.hpp"
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/machine/arithmetic_fields.hpp"
@@ -134,18 +136,12 @@ void declare_bus(Visitor& visitor, models::VersaBusParameters& bus) {
                 bus.handover_clocks, k_clocks);
   visitor.field({"arbitration", "which master the arbiter prefers",
                  "VM02 data sheet p. 2-54, 2-58: fixed priority only [R]"},
-                bus.arbitration,
-                ChoiceType<models::ArbitrationPolicy>{
-                    {{"priority", models::ArbitrationPolicy::priority},
-                     {"round_robin", models::ArbitrationPolicy::round_robin}}});
+                bus.arbitration, choices_of(models::k_arbitration_policies));
   visitor.field({"timeout", "of one access; 0 s is off",
                  "VM02 data sheet p. 2-54: 8, 16, 32, 64 us or off [R], 64 us chosen [I]"},
                 bus.timeout, k_time);
   visitor.field({"level", "how exactly the bus is simulated", "choice of the simulation [I]"},
-                bus.level,
-                ChoiceType<models::BusLevel>{{{"transaction", models::BusLevel::transaction},
-                                              {"decoupled", models::BusLevel::decoupled},
-                                              {"ideal", models::BusLevel::ideal}}});
+                bus.level, choices_of(models::k_bus_levels));
   visitor.field({"quantum", "masters run ahead of one another so long when decoupled; 0 s: exact",
                  "choice of the simulation [I]"},
                 bus.quantum, k_time);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "models/machine/ccett_machine.hpp"
+#include "models/machine/machine_statistics.hpp"
 #include "sim/report/statistics.hpp"
 
 namespace maquette::sim {

@@ -2,7 +2,7 @@
 
 #include "firmware/arithmetic/work.hpp"
 #include "models/board/allotment.hpp"
-#include "models/machine/ccett_machine.hpp"
+#include "models/machine/machine_statistics.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/report/statistics.hpp"
 

@@ -28,7 +28,7 @@ constexpr models::Duration k_slice = std::chrono::seconds(1);
 void set_images(const PackedScene<float>& packed, const Machine& machine, const MemoryMap& map,
                 models::FrameSetup& setup) {
   std::vector<unsigned char> image = database_image(packed.database());
-  if (machine.parameters.board.database == models::DatabasePlace::shared) {
+  if (models::is_shared(machine.parameters.board.database)) {
     setup.shared_database = std::move(image);
     image = {};
   }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
@@ -14,8 +15,7 @@ using namespace maquette::models::traffic;
 
 VersaBusParameters random_bus(std::mt19937& random) {
   VersaBusParameters parameters;
-  parameters.arbitration =
-      below(random, 2) == 0 ? ArbitrationPolicy::priority : ArbitrationPolicy::round_robin;
+  parameters.arbitration = below(random, 2) == 0 ? k_priority : k_round_robin;
   parameters.arbitration_clocks = below(random, 5);
   parameters.handover_clocks = below(random, 3);
   return parameters;

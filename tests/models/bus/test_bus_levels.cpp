@@ -2,6 +2,8 @@
 #include <map>
 #include <numeric>
 
+#include "models/bus/arbitration_policies.hpp"
+#include "models/bus/bus_levels.hpp"
 #include "models/bus/versabus.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
@@ -106,11 +108,11 @@ TEST_CASE("a quantum of at most an access decides nothing otherwise than exact a
   std::mt19937 random(1984);
   std::vector<std::array<std::unique_ptr<Bench>, 2>> pairs;
   for (int one = 0; one < 120; ++one) {
-    VersaBusParameters exact = level(BusLevel::transaction);
-    exact.arbitration = one % 2 == 0 ? ArbitrationPolicy::priority : ArbitrationPolicy::round_robin;
+    VersaBusParameters exact = level(k_transaction_level);
+    exact.arbitration = one % 2 == 0 ? k_priority : k_round_robin;
     exact.arbitration_clocks = below(random, 5);
     VersaBusParameters decoupled = exact;
-    decoupled.level = BusLevel::decoupled;
+    decoupled.level = k_decoupled_level;
     const Duration quanta[] = {Duration::zero(), k_tick, Duration{1'000}, k_shortest_access};
     decoupled.quantum = quanta[one % 4];
     const auto masters = random_steps(random);
@@ -134,7 +136,7 @@ TEST_CASE("in a quantum the master whose turn it is sees nobody, however it is s
   std::vector<Duration> quanta;
   for (int one = 0; one < 80; ++one) {
     quanta.push_back(k_microsecond * (1 + below(random, 60)));
-    const VersaBusParameters parameters = level(BusLevel::decoupled, quanta.back());
+    const VersaBusParameters parameters = level(k_decoupled_level, quanta.back());
     const auto masters = random_steps(random);
     cases.emplace_back();
     for (const Style style : {Style::promised, Style::annotated, Style::followed_up}) {
@@ -167,11 +169,11 @@ TEST_CASE("on an ideal bus everybody is as fast as alone and without arbitration
     const auto style = static_cast<Style>(below(random, 4));
     const auto slave = always(Duration{125'000 * below(random, 12)});
     const std::string name = "ideal" + std::to_string(one);
-    VersaBusParameters free = level(BusLevel::transaction);
+    VersaBusParameters free = level(k_transaction_level);
     free.arbitration_clocks = free.handover_clocks = 0;
-    cases.push_back({bench(name, level(BusLevel::ideal), masters, style, slave),
+    cases.push_back({bench(name, level(k_ideal_level), masters, style, slave),
                      {},
-                     bench(name + "e", level(BusLevel::transaction), masters, style, slave)});
+                     bench(name + "e", level(k_transaction_level), masters, style, slave)});
     for (std::size_t i = 0; i < masters.size(); ++i) {
       cases.back().alone.push_back(
           bench(name + "a" + std::to_string(i), free, {masters[i]}, style, slave));
@@ -202,7 +204,7 @@ TEST_CASE("a quantum longer than the time between two requests serialises the ma
       4, std::vector<Step>(2000, {10 * k_microsecond, 0x1000, 1}));
   for (const Duration quantum : {Duration::zero(), 100 * k_microsecond, k_millisecond}) {
     benches.push_back(bench("serial" + std::to_string(quantum.count()),
-                            level(BusLevel::decoupled, quantum), masters, Style::followed_up,
+                            level(k_decoupled_level, quantum), masters, Style::followed_up,
                             always(Duration{250'000})));
   }
   sc_core::sc_start();
@@ -222,8 +224,8 @@ TEST_CASE("a machine gives the same picture and whole states at every level of i
   };
   std::vector<One> runs;
   const std::vector<VersaBusParameters> levels = {
-      level(BusLevel::transaction), level(BusLevel::decoupled, 20 * k_microsecond),
-      level(BusLevel::decoupled, k_millisecond), level(BusLevel::ideal)};
+      level(k_transaction_level), level(k_decoupled_level, 20 * k_microsecond),
+      level(k_decoupled_level, k_millisecond), level(k_ideal_level)};
   for (const Assignment assignment : {Assignment::fixed, Assignment::on_demand}) {
     for (const VersaBusParameters& bus : levels) {
       MachineParameters parameters = machine(4);

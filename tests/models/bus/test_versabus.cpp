@@ -1,3 +1,4 @@
+#include "models/bus/arbitration_policies.hpp"
 #include "models/bus/versabus.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
@@ -72,7 +73,7 @@ TEST_CASE("two boards in lock-step: the lower one waits for the other's access e
 
 TEST_CASE("saturation: one transfer per bus cycle, shared in turn") {
   VersaBusParameters parameters;
-  parameters.arbitration = ArbitrationPolicy::round_robin;
+  parameters.arbitration = k_round_robin;
   Bench bench("saturated", parameters, slave_of_250_ns());
   constexpr int k_masters = 6;
   constexpr int k_steps = 500;
@@ -91,7 +92,7 @@ TEST_CASE("saturation: one transfer per bus cycle, shared in turn") {
 
 TEST_CASE("fixed priority starves the lower levels, round robin is fair") {
   VersaBusParameters fair;
-  fair.arbitration = ArbitrationPolicy::round_robin;
+  fair.arbitration = k_round_robin;
   Bench starving("starving", k_bus, slave_of_250_ns());
   Bench turning("turning", fair, slave_of_250_ns());
   constexpr int k_steps = 1000;

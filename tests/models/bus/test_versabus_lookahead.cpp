@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "models/bus/versabus.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
@@ -86,7 +87,7 @@ class Oracle {
   }
 
   bool cleared(Instant /*start*/) {
-    if (parameters_.arbitration != ArbitrationPolicy::priority) {
+    if (!parameters_.arbitration.clears_bus) {
       return false;
     }
     clear_at_ = k_never;
@@ -112,8 +113,8 @@ class Oracle {
             {static_cast<int>(master), queues_[master].script.place, queues_[master].request});
       }
     }
-    return choose(parameters_.arbitration,
-                  {contenders.data(), contenders.data() + contenders.size()}, previous_);
+    return parameters_.arbitration.choose(
+        {contenders.data(), contenders.data() + contenders.size()}, previous_);
   }
 
   void grant(int master, Instant instant) {
@@ -159,8 +160,7 @@ TEST_CASE("looking ahead, computing unknown to the bus, and the law without a ke
   std::vector<std::vector<std::unique_ptr<Bench>>> benches(k_cases);
   for (std::size_t one = 0; one < k_cases; ++one) {
     VersaBusParameters parameters;
-    parameters.arbitration =
-        one % 2 == 0 ? ArbitrationPolicy::priority : ArbitrationPolicy::round_robin;
+    parameters.arbitration = one % 2 == 0 ? k_priority : k_round_robin;
     parameters.arbitration_clocks = below(generator, 5);
     parameters.handover_clocks = below(generator, 3);
     const std::vector<Script> scripts = random_scripts(generator);

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
@@ -75,12 +76,8 @@ TEST_CASE("machine repairman: throughput of masters that think exponentially") {
     ArbitrationPolicy policy;
   };
   const Case cases[] = {
-      {1, 2e6, true, ArbitrationPolicy::priority},
-      {4, 4e6, true, ArbitrationPolicy::priority},
-      {4, 4e6, true, ArbitrationPolicy::round_robin},
-      {8, 5e6, true, ArbitrationPolicy::round_robin},
-      {4, 4e6, false, ArbitrationPolicy::priority},
-      {8, 9e6, false, ArbitrationPolicy::round_robin},
+      {1, 2e6, true, k_priority},    {4, 4e6, true, k_priority},  {4, 4e6, true, k_round_robin},
+      {8, 5e6, true, k_round_robin}, {4, 4e6, false, k_priority}, {8, 9e6, false, k_round_robin},
   };
   std::mt19937 generator(1912);
   std::vector<std::unique_ptr<Bench>> benches;

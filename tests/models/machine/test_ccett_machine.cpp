@@ -1,6 +1,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "models/machine/ccett_machine.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
@@ -69,7 +70,7 @@ TEST_CASE("any machine: states sum to the frame time, each useful pixel is writt
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     parameters.board.refresh_period = Duration{15'000'000};
     parameters.bus.data_width_bits = below(generator, 2) == 1 ? 16 : 32;
-    parameters.bus.arbitration = static_cast<ArbitrationPolicy>(below(generator, 2));
+    parameters.bus.arbitration = k_arbitration_policies[below(generator, 2)];
     parameters.frame_memory.video_priority = below(generator, 2) == 1;
     const PixelRectangle rectangle{below(generator, 20), below(generator, 20), below(generator, 45),
                                    below(generator, 29)};

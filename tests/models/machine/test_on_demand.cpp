@@ -2,6 +2,7 @@
 #include <memory>
 #include <set>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
@@ -62,7 +63,7 @@ TEST_CASE("any machine on demand: each unit is claimed once, in the order of tim
     const int boards = 1 + below(generator, 12);
     MachineParameters parameters = on_demand(boards, static_cast<Allotment>(below(generator, 4)));
     parameters.bus.data_width_bits = below(generator, 2) == 1 ? 16 : 32;
-    parameters.bus.arbitration = static_cast<ArbitrationPolicy>(below(generator, 2));
+    parameters.bus.arbitration = k_arbitration_policies[below(generator, 2)];
     parameters.board.release = static_cast<ReleasePolicy>(below(generator, 2));
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     const PixelRectangle rectangle{below(generator, 20), below(generator, 20), below(generator, 30),

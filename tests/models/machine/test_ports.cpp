@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
@@ -54,7 +55,7 @@ TEST_CASE("any number of ports: the frame verifies, states sum, the log is in or
     parameters.board.release = static_cast<ReleasePolicy>(below(generator, 2));
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     parameters.bus.data_width_bits = below(generator, 2) == 1 ? 16 : 32;
-    parameters.bus.arbitration = static_cast<ArbitrationPolicy>(below(generator, 2));
+    parameters.bus.arbitration = k_arbitration_policies[below(generator, 2)];
     parameters.frame_memory.video_priority = below(generator, 2) == 1;
     FrameSetup setup = zone(
         {below(generator, 20), below(generator, 20), below(generator, 30), below(generator, 25)});

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "models/board/database_cache.hpp"
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
@@ -142,7 +143,7 @@ TEST_CASE("any machine with a shared database verifies, and hides nothing") {
     parameters.board.pixel_write = static_cast<PixelWrite>(below(generator, 2));
     parameters.board.refresh_period = Duration{15'000'000};
     parameters.bus.data_width_bits = below(generator, 2) == 1 ? 16 : 32;
-    parameters.bus.arbitration = static_cast<ArbitrationPolicy>(below(generator, 2));
+    parameters.bus.arbitration = k_arbitration_policies[below(generator, 2)];
     parameters.frame_memory.video_priority = below(generator, 2) == 1;
     FrameSetup setup = with_database(
         {below(generator, 20), below(generator, 20), below(generator, 20), below(generator, 20)},

@@ -58,7 +58,7 @@ TEST_CASE("the effective configuration keeps what overrides changed, and places 
   CHECK(first.machine.parameters.boards.size() == 2);
   CHECK(first.machine.parameters.boards[1].level == 2);
   CHECK(first.machine.parameters.boards[1].position == 7);
-  CHECK(first.machine.parameters.bus.arbitration == models::ArbitrationPolicy::round_robin);
+  CHECK(first.machine.parameters.bus.arbitration == models::k_round_robin);
   CHECK(first.machine.parameters.bus.data_width_bits == 32);
   CHECK(first.machine.parameters.board.clock_hz == 12.5e6);
   CHECK(first.machine.arithmetic_name == "mc68881");

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <random>
 
-#include "models/bus/arbitration.hpp"
+#include "models/bus/arbitration_policies.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
@@ -28,7 +28,7 @@ TEST_CASE("priority: nobody is above the winner, nor before it on its level") {
   std::mt19937 generator(11);
   for (int one = 0; one < 2000; ++one) {
     const auto contenders = random_contenders(generator);
-    const int winner = choose(ArbitrationPolicy::priority, view(contenders), one % 12);
+    const int winner = k_priority.choose(view(contenders), one % 12);
     const auto chosen =
         std::find_if(contenders.begin(), contenders.end(),
                      [winner](const Contender& contender) { return contender.master == winner; });
@@ -47,7 +47,7 @@ TEST_CASE("round robin: no contender stands between the previous master and the 
   for (int one = 0; one < 2000; ++one) {
     const auto contenders = random_contenders(generator);
     const int previous = traffic::below(generator, 13) - 1;
-    const int winner = choose(ArbitrationPolicy::round_robin, view(contenders), previous);
+    const int winner = k_round_robin.choose(view(contenders), previous);
     const auto turns = [previous](int master) { return (master - previous - 1 + 24) % 12; };
     REQUIRE(std::any_of(contenders.begin(), contenders.end(),
                         [winner](const Contender& one_of) { return one_of.master == winner; }));

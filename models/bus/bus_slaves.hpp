@@ -1,0 +1,53 @@
+#pragma once
+
+#include <tlm_utils/multi_passthrough_initiator_socket.h>
+#include <cstdint>
+#include <tlm>
+
+#include "models/bus/access_law.hpp"
+#include "models/bus/address_map.hpp"
+#include "models/bus/burst_progress.hpp"
+
+namespace maquette::models {
+
+/// How an access went.
+struct AccessResult {
+  Duration duration;    ///< from the strobe to the release of the bus
+  Duration slave_time;  ///< to the first acknowledge; the timeout's, if there is none
+  tlm::tlm_response_status status;
+};
+
+/// The slaves of a bus, and one access to them: a transfer, or a test-and-set cycle.
+///
+/// Slaves are called with the offset of the data strobe as TLM delay (exactly: BusStrobe) and the
+/// address relative to their base; they add their access time to the delay and must not wait. An
+/// access that nobody answers, or not within the timeout, is a bus error: it lasts for the timeout.
+/// With the timeout off a missing slave ends it as a fast one would.
+class BusSlaves {
+ public:
+  /// A `timeout` of zero is off.
+  explicit BusSlaves(Duration timeout) : sockets_("slave_sockets"), timeout_(timeout) {}
+
+  /// Binds a slave at a range of addresses. Throws as AddressMap::add.
+  void attach(tlm::tlm_base_target_socket<>& socket, const AddressRange& range);
+
+  /// Does the access of a burst that is next, with its data strobe at `strobe`, by the law of its
+  /// master.
+  AccessResult access(BurstProgress& burst, const AccessLaw& law, Instant strobe);
+
+  /// Passes a debug transport on.
+  unsigned transport_dbg(tlm::tlm_generic_payload& payload);
+
+  [[nodiscard]] const AddressMap& address_map() const { return address_map_; }
+
+ private:
+  AccessResult transfer(BurstProgress& burst, const AccessLaw& law, Instant strobe,
+                        tlm::tlm_command command);
+  AccessResult test_and_set(BurstProgress& burst, const AccessLaw& law, Instant strobe);
+
+  tlm_utils::multi_passthrough_initiator_socket<BusSlaves> sockets_;
+  AddressMap address_map_;
+  Duration timeout_;
+};
+
+}  // namespace maquette::models

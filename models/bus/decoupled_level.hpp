@@ -1,0 +1,15 @@
+#pragma once
+
+#include "models/bus/bus_level.hpp"
+
+namespace maquette::models {
+
+/// The QueueingArbiter whose masters run ahead of one another for the bus's quantum.
+[[nodiscard]] std::unique_ptr<BusArbiter> make_decoupled_arbiter(
+    const VersaBusParameters& parameters, BusAccount& account);
+
+inline constexpr BusLevel k_decoupled_level{"decoupled",
+                                            "boards that run ahead of one another for a quantum",
+                                            true, true, make_decoupled_arbiter};
+
+}  // namespace maquette::models
