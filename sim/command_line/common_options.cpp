@@ -45,6 +45,15 @@ std::vector<std::string> overrides_of(const BusOptions& options) {
   return overrides;
 }
 
+void add_footer(CLI::App& verb, const std::string& remarks,
+                const std::vector<std::string>& examples) {
+  std::string text = remarks + (remarks.empty() ? "" : "\n\n") + "Examples:";
+  for (const std::string& example : examples) {
+    text += "\n  " + example;
+  }
+  verb.footer(text);
+}
+
 DescriptionSources sources_of(const CommonOptions& options) {
   DescriptionSources sources;
   sources.data_directory = data_directory();

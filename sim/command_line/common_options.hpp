@@ -34,6 +34,10 @@ void add_bus_options(CLI::App& verb, BusOptions& options);
 /// The overrides that these options stand for.
 std::vector<std::string> overrides_of(const BusOptions& options);
 
+/// Ends the help of a verb, and its part of the manual page, with remarks and examples.
+void add_footer(CLI::App& verb, const std::string& remarks,
+                const std::vector<std::string>& examples);
+
 /// Where the descriptions that these options name come from.
 DescriptionSources sources_of(const CommonOptions& options);
 

@@ -49,6 +49,9 @@ void add_describe_command(CLI::App& program) {
   CLI::Option* statistics =
       verb.add_flag("--statistics", options->statistics, "explain the keys of stats.json instead");
   verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE");
+  add_footer(verb, {},
+             {"maquette describe photo4", "maquette describe ccett-1984",
+              "maquette describe --statistics"});
   verb.callback([options, statistics, &verb] {
     if (!*statistics && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());

@@ -120,7 +120,8 @@ void add_stability_command(CLI::App& program, const std::vector<std::string>& co
   CLI::App& verb = *program.add_subcommand(
       "stability",
       "how far to trust the numbers: roots, scale, secondary rays, solids, extreme inputs");
-  verb.footer("The exit code is 1 when a bound is broken.");
+  add_footer(verb, "The exit code is 1 when a bound is broken.",
+             {"maquette stability --only roots,scale"});
   add_options(verb, *options);
   verb.callback([options, &command, &exit_code] { exit_code = stability(*options, command); });
 }

@@ -279,9 +279,12 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
   const auto options = std::make_shared<SweepOptions>();
   CLI::App& sweep_verb = *program.add_subcommand(
       "sweep", "simulate a scene at many values of its parameters: table and plots");
-  sweep_verb.footer(
+  add_footer(
+      sweep_verb,
       "Every finished point is kept: the same command goes on where it ended. With --point, "
-      "--points,\n--task or --from-environment the points are gathered by `maquette merge DIR`.");
+      "--points,\n--task or --from-environment the points are gathered by `maquette merge DIR`.",
+      {"maquette sweep photo4 --vary processors=1,2,4,8 --plot processors,frame.time_s",
+       "maquette sweep --sweep boards"});
   add_study_options(sweep_verb, *options);
   add_selection_options(sweep_verb, *options);
   sweep_verb.callback([options, &command, &exit_code] { exit_code = sweep(*options, command); });
@@ -300,6 +303,7 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
       ->expected(1)
       ->take_all();
   merge_verb.add_flag("--quiet", merging->quiet, "no summary");
+  add_footer(merge_verb, {}, {"maquette merge runs/boards"});
   merge_verb.callback([merging, &exit_code] {
     exit_code = merge(merging->directory, merging->plots, merging->quiet);
   });
