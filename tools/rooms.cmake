@@ -18,13 +18,28 @@ function(mirror_headers mirror folder)
   endforeach()
 endfunction()
 
+# Installs a room for programs of others: its library, and its headers by their path in the project.
+function(install_room target name)
+  foreach(folder IN LISTS ARGN)
+    file(GLOB headers CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/${folder}/*.hpp)
+    install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/maquette/${folder} COMPONENT development)
+  endforeach()
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_target_properties(${target}_headers PROPERTIES EXPORT_NAME ${name}_headers)
+  target_include_directories(${target}_headers INTERFACE
+                             $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/maquette>)
+  install(TARGETS ${target} ${target}_headers EXPORT maquette
+          ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
+endfunction()
+
 # add_room(FOLDER [WITH FOLDER...] [ROOMS FOLDER...] [HEADERS_OF FOLDER...] [LIBRARIES TARGET...]
-#          [WITHOUT_SYSTEMC] [MODULE])
+#          [WITHOUT_SYSTEMC] [MODULE] [INSTALLED])
 # makes the target maquette_FOLDER (alias maquette::FOLDER, / as _) of the sources in FOLDER and in the
 # folders WITH it. ROOMS are linked, of HEADERS_OF only the headers are seen (they hold plain data). A
-# MODULE is loaded at run time and linked by nobody.
+# MODULE is loaded at run time and linked by nobody. What is INSTALLED is there for programs of others,
+# without the options of our own compilations.
 function(add_room folder)
-  cmake_parse_arguments(room "WITHOUT_SYSTEMC;MODULE" "" "WITH;ROOMS;HEADERS_OF;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(room "WITHOUT_SYSTEMC;MODULE;INSTALLED" "" "WITH;ROOMS;HEADERS_OF;LIBRARIES" ${ARGN})
   string(REPLACE / _ name ${folder})
   set(target maquette_${name})
   set(mirror ${rooms_mirror}/${name})
@@ -37,7 +52,8 @@ function(add_room folder)
   endforeach()
 
   add_library(${target}_headers INTERFACE)
-  target_include_directories(${target}_headers INTERFACE ${mirror})
+  target_include_directories(${target}_headers INTERFACE $<BUILD_INTERFACE:${mirror}>)
+  target_compile_features(${target}_headers INTERFACE cxx_std_17)
   foreach(other IN LISTS room_ROOMS room_HEADERS_OF)
     string(REPLACE / _ other ${other})
     target_link_libraries(${target}_headers INTERFACE maquette_${other}_headers)
@@ -50,7 +66,7 @@ function(add_room folder)
     endif()
     add_library(${target} ${type} ${sources})
     set(access PUBLIC)
-    target_link_libraries(${target} PRIVATE maquette_options)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:maquette_options>)
     if(room_WITHOUT_SYSTEMC)
       target_include_directories(${target} BEFORE PRIVATE ${no_systemc})
     endif()
@@ -66,4 +82,7 @@ function(add_room folder)
     string(REPLACE / _ other ${other})
     target_link_libraries(${target} ${access} maquette_${other})
   endforeach()
+  if(room_INSTALLED)
+    install_room(${target} ${name} ${folder} ${room_WITH})
+  endif()
 endfunction()

@@ -5,23 +5,21 @@
 #include <string_view>
 
 #include "models/bus/bus_levels.hpp"
+#include "sim/command_line/version.hpp"
+#include "sim/report/program_tree.hpp"
+#include "sim/scene/shipped_descriptions.hpp"
 
 namespace maquette::sim {
 
-namespace {
-
-/// The project's root, which holds models/; known when the program is built.
-constexpr const char* k_project_directory = MAQUETTE_PROJECT_DIRECTORY;
-
-}  // namespace
-
 void add_common_options(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("SCENE", options.scene, "scene description, or a run's config.yaml")
+  verb.add_option("SCENE", options.scene,
+                  "scene: its file, the name of a shipped one, or a run's config.yaml")
       ->required()
-      ->type_name("FILE");
+      ->type_name("FILE|SCENE");
   verb.add_option("--machine", options.machine,
-                  "machine description (default: what the scene names, else ccett-1984)")
-      ->type_name("FILE");
+                  "machine: its file, or the name of a shipped one (default: what the scene names, "
+                  "else ccett-1984)")
+      ->type_name("FILE|MACHINE");
   verb.add_option("--set", options.overrides,
                   "give a parameter another value, e.g. processors=8 (repeatable)")
       ->type_name("PATH=VALUE")
@@ -57,23 +55,30 @@ std::vector<std::string> overrides_of(const BusOptions& options) {
   return overrides;
 }
 
+void add_footer(CLI::App& verb, const std::string& remarks,
+                const std::vector<std::string>& examples) {
+  std::string text = remarks + (remarks.empty() ? "" : "\n\n") + "Examples:";
+  for (const std::string& example : examples) {
+    text += "\n  " + example;
+  }
+  verb.footer(text);
+}
+
 DescriptionSources sources_of(const CommonOptions& options) {
   DescriptionSources sources;
-  sources.scene_file = options.scene;
+  sources.data_directory = data_directory();
+  sources.scene_file = description_file(options.scene, {"scenes"}, sources.data_directory);
   if (!options.machine.empty()) {
     sources.machine = options.machine;
   }
   sources.overrides = options.overrides;
-  sources.models_directory = project_path("models");
   return sources;
 }
 
-std::string project_path(const std::string& name) {
-  return std::string(k_project_directory) + "/" + name;
-}
+std::string data_directory() { return program_tree() / "share" / "maquette"; }
 
 std::string path_for_results(const std::string& path) {
-  const std::string prefix = project_path("");
+  const std::string prefix = data_directory() + "/";
   return path.compare(0, prefix.size(), prefix) == 0 ? path.substr(prefix.size()) : path;
 }
 
@@ -81,7 +86,8 @@ Manifest manifest_of(const std::vector<std::string>& command,
                      const std::vector<std::string>& input_files, double host_time_s) {
   Manifest manifest;
   manifest.command = command;
-  manifest.version = MAQUETTE_VERSION;
+  manifest.version = version();
+  manifest.revision = revision();
   for (const std::string& file : input_files) {
     InputFile input = hash_input(file);
     input.path = path_for_results(file);

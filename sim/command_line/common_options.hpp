@@ -34,14 +34,18 @@ void add_bus_options(CLI::App& verb, BusOptions& options);
 /// The overrides that these options stand for.
 std::vector<std::string> overrides_of(const BusOptions& options);
 
+/// Ends the help of a verb, and its part of the manual page, with remarks and examples.
+void add_footer(CLI::App& verb, const std::string& remarks,
+                const std::vector<std::string>& examples);
+
 /// Where the descriptions that these options name come from.
 DescriptionSources sources_of(const CommonOptions& options);
 
-/// The path of a file or directory that is shipped, named relative to the project.
-std::string project_path(const std::string& name);
+/// The folder of what is shipped as data: models/, scenes/, stability/.
+std::string data_directory();
 
-/// The path as a result may name it: relative to the project for the shipped descriptions, as given
-/// otherwise.
+/// The path as a result may name it: relative to the folder of data for what is shipped, wherever
+/// that is; as given otherwise.
 std::string path_for_results(const std::string& path);
 
 /// The manifest of a command that has read these files and taken this long.

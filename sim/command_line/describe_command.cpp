@@ -7,6 +7,7 @@
 #include "sim/command_line/common_options.hpp"
 #include "sim/database/scene_report.hpp"
 #include "sim/report/statistics_description.hpp"
+#include "sim/scene/shipped_descriptions.hpp"
 
 namespace maquette::sim {
 
@@ -22,12 +23,15 @@ void describe(const DescribeOptions& options) {
     fmt::print("{}\n", describe_statistics());
     return;
   }
-  const DescriptionSources sources = sources_of(options.common);
-  if (describes_machine(sources.scene_file)) {
-    DescriptionSources machine_sources = sources;
-    machine_sources.machine = sources.scene_file;
+  const std::string file =
+      description_file(options.common.scene, {"scenes", "machines"}, data_directory());
+  CommonOptions described = options.common;
+  described.scene = file;
+  DescriptionSources sources = sources_of(described);
+  if (describes_machine(file)) {
+    sources.machine = file;
     std::vector<std::string> input_files;
-    fmt::print("{}", machine_report(load_machine(machine_sources, input_files)));
+    fmt::print("{}", machine_report(load_machine(sources, input_files)));
     return;
   }
   const Description description = load_description(sources);
@@ -44,7 +48,10 @@ void add_describe_command(CLI::App& program) {
   add_common_options(verb, options->common);
   CLI::Option* statistics =
       verb.add_flag("--statistics", options->statistics, "explain the keys of stats.json instead");
-  verb.get_option("SCENE")->required(false);
+  verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE");
+  add_footer(verb, {},
+             {"maquette describe photo4", "maquette describe ccett-1984",
+              "maquette describe --statistics"});
   verb.callback([options, statistics, &verb] {
     if (!*statistics && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());

@@ -19,7 +19,7 @@ namespace {
 struct StabilityOptions {
   std::vector<std::string> scalars;
   std::vector<std::string> groups;
-  std::string scenes = project_path("scenes");
+  std::string scenes = data_directory() + "/scenes";
   std::string outdir = "runs/stability";
   bool quiet = false;
 };
@@ -88,7 +88,7 @@ std::vector<StabilityMeasurement> measure(const std::vector<Plan>& plans, bool q
 
 int stability(const StabilityOptions& options, const std::vector<std::string>& command) {
   const auto start = std::chrono::steady_clock::now();
-  const std::string exact_roots_file = project_path("sim/stability/exact_roots.txt");
+  const std::string exact_roots_file = data_directory() + "/stability/exact_roots.txt";
   const StabilityMaterial material = stability_material(options.scenes, exact_roots_file);
   create_run_directory(options.outdir);
   std::vector<Plan> plans;
@@ -120,7 +120,8 @@ void add_stability_command(CLI::App& program, const std::vector<std::string>& co
   CLI::App& verb = *program.add_subcommand(
       "stability",
       "how far to trust the numbers: roots, scale, secondary rays, solids, extreme inputs");
-  verb.footer("The exit code is 1 when a bound is broken.");
+  add_footer(verb, "The exit code is 1 when a bound is broken.",
+             {"maquette stability --only roots,scale"});
   add_options(verb, *options);
   verb.callback([options, &command, &exit_code] { exit_code = stability(*options, command); });
 }

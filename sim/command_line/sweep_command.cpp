@@ -14,6 +14,7 @@
 #include "sim/report/progress.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/scene/shipped_descriptions.hpp"
 #include "sim/sweep/point_selection.hpp"
 #include "sim/sweep/study_description.hpp"
 #include "sim/sweep/study_results.hpp"
@@ -56,8 +57,9 @@ void add_study_options(CLI::App& verb, SweepOptions& options) {
       ->expected(1)
       ->take_all();
   verb.add_flag("--zip", options.zip, "pair the values of several --vary instead");
-  verb.add_option("--sweep", options.study_file, "study file: the same, and plots")
-      ->type_name("FILE");
+  verb.add_option("--sweep", options.study_file,
+                  "study: the same, and plots; its file, or the name of a shipped one")
+      ->type_name("FILE|STUDY");
   verb.add_option("--plot", options.plots, "draw a column over another one (repeatable)")
       ->type_name("X,Y[,SERIES]")
       ->expected(1)
@@ -112,7 +114,7 @@ YamlNode first_scene(const Study& study) {
 Study study_of(const SweepOptions& options) {
   Study study;
   if (!options.study_file.empty()) {
-    study = read_study(options.study_file);
+    study = read_study(description_file(options.study_file, {"studies"}, data_directory()));
   }
   for (const std::string& axis : options.axes) {
     study.axes.push_back(parse_axis(axis));
@@ -220,10 +222,9 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   const auto start = std::chrono::steady_clock::now();
   Study study = study_of(options);
   std::vector<std::string> input_files;
-  const std::string models_directory = sources_of(options.common).models_directory;
-  inline_files(study, models_directory, input_files);
+  inline_files(study, data_directory(), input_files);
   complete(study);
-  const StudyPoints points(std::move(study), models_directory);
+  const StudyPoints points(std::move(study), data_directory());
   const std::vector<int> selected = selected_points(options, points.size());
   check_columns(points);
   const std::vector<std::string> records = check_points(points);
@@ -259,14 +260,13 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
 }
 
 int merge(const std::string& path, const std::vector<std::string>& plots, bool quiet) {
-  const std::string models_directory = sources_of({}).models_directory;
   Study study = read_study((std::filesystem::path(path) / k_study_file).string());
   for (const std::string& text : plots) {
     study.plots.push_back(parse_plot(text));
   }
   std::vector<std::string> input_files;
-  inline_files(study, models_directory, input_files);
-  const StudyPoints points(std::move(study), models_directory);
+  inline_files(study, data_directory(), input_files);
+  const StudyPoints points(std::move(study), data_directory());
   check_columns(points);
   const StudyDirectory directory(points, path);
   return gather_and_report(points, directory, quiet);
@@ -279,9 +279,12 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
   const auto options = std::make_shared<SweepOptions>();
   CLI::App& sweep_verb = *program.add_subcommand(
       "sweep", "simulate a scene at many values of its parameters: table and plots");
-  sweep_verb.footer(
+  add_footer(
+      sweep_verb,
       "Every finished point is kept: the same command goes on where it ended. With --point, "
-      "--points,\n--task or --from-environment the points are gathered by `maquette merge DIR`.");
+      "--points,\n--task or --from-environment the points are gathered by `maquette merge DIR`.",
+      {"maquette sweep photo4 --vary processors=1,2,4,8 --plot processors,frame.time_s",
+       "maquette sweep --sweep boards"});
   add_study_options(sweep_verb, *options);
   add_selection_options(sweep_verb, *options);
   sweep_verb.callback([options, &command, &exit_code] { exit_code = sweep(*options, command); });
@@ -300,6 +303,7 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
       ->expected(1)
       ->take_all();
   merge_verb.add_flag("--quiet", merging->quiet, "no summary");
+  add_footer(merge_verb, {}, {"maquette merge runs/boards"});
   merge_verb.callback([merging, &exit_code] {
     exit_code = merge(merging->directory, merging->plots, merging->quiet);
   });

@@ -37,6 +37,7 @@ std::string manifest_json(const Manifest& manifest) {
   }
   Json json{{"command", manifest.command},
             {"version", manifest.version},
+            {"revision", manifest.revision},
             {"inputs", inputs},
             {"host_time_s", manifest.host_time_s},
             {"processor_time_s", manifest.processor_time_s},

@@ -24,6 +24,7 @@ struct StudyCost {
 struct Manifest {
   std::vector<std::string> command;  ///< the arguments, program name first
   std::string version;
+  std::string revision;  ///< of the sources
   std::vector<InputFile> inputs;
   double host_time_s = 0;       ///< wall clock
   double processor_time_s = 0;  ///< of all threads and child processes, user and system

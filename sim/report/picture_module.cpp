@@ -5,10 +5,19 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/report/program_tree.hpp"
+
 namespace maquette::sim {
 
+namespace {
+
+constexpr const char* k_picture_module = "lib/maquette/picture_module.so";
+
+}  // namespace
+
 void* picture_module_function(const char* name) {
-  static void* const module = dlopen(MAQUETTE_PICTURE_MODULE, RTLD_LAZY | RTLD_LOCAL);
+  static void* const module =
+      dlopen((program_tree() / k_picture_module).c_str(), RTLD_LAZY | RTLD_LOCAL);
   void* const function = module == nullptr ? nullptr : dlsym(module, name);
   if (function == nullptr) {
     throw std::runtime_error(std::string("no pictures without the picture module: ") + dlerror());

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "sim/machine/machine_description.hpp"
 #include "sim/scene/scene_description.hpp"
+#include "sim/scene/shipped_descriptions.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/nearest_name.hpp"
 #include "sim/yaml/override.hpp"
@@ -23,28 +23,11 @@ namespace fs = std::filesystem;
 constexpr std::string_view k_default_machine = "ccett-1984";
 constexpr std::string_view k_default_arithmetic = "motorola_ffp";
 
-bool is_shipped_name(std::string_view name) {
-  return name.find_first_of("/.") == std::string_view::npos;
-}
-
-/// The names of the descriptions in a directory of models/.
-std::vector<std::string> shipped_names(const fs::path& directory) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator{directory, ignored}) {
-    if (entry.path().extension() == ".yaml") {
-      names.push_back(entry.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
 /// Reads files and remembers them.
 class Loader {
  public:
-  Loader(std::string models_directory, std::vector<std::string>& input_files)
-      : models_(std::move(models_directory)), input_files_(input_files) {}
+  Loader(std::string data_directory, std::vector<std::string>& input_files)
+      : data_(std::move(data_directory)), input_files_(input_files) {}
 
   YamlNode load(const std::string& file) {
     YamlNode root = load_yaml(file);
@@ -52,26 +35,11 @@ class Loader {
     return root;
   }
 
-  /// Loads what `name` refers to: a shipped name of `kind` (empty: there are none), or a file
-  /// relative to `base`. `place` is where the name was written; nothing for the command line.
+  /// Loads what `name` refers to: a file relative to `base`, or what is shipped of `kind`. `place`
+  /// is where the name was written; nothing for the command line.
   YamlNode load_named(const std::string& name, std::string_view kind, const fs::path& base,
                       const YamlPlace* place) {
-    const fs::path directory = fs::path{models_} / kind;
-    const bool is_shipped = !kind.empty() && is_shipped_name(name);
-    const fs::path file =
-        is_shipped ? directory / (name + ".yaml") : (base / name).lexically_normal();
-    std::error_code ignored;
-    if (fs::is_regular_file(file, ignored)) {
-      return load(file.string());
-    }
-    std::string message = "cannot read the file `" + file.string() + "`";
-    if (is_shipped) {
-      const std::vector<std::string> names = shipped_names(directory);
-      message = "`" + name + "` is not among the shipped " + std::string{kind} +
-                " nor the name of a file; " + allowed_names(name, {names.begin(), names.end()});
-    }
-    throw place == nullptr ? DescriptionError(message)
-                           : DescriptionError(place->position(), message);
+    return load(description_file(name, {kind}, data_, base, place));
   }
 
   /// Replaces a name that stands for a description by that description.
@@ -90,7 +58,7 @@ class Loader {
                                                   : fs::path{};
   }
 
-  std::string models_;
+  std::string data_;
   std::vector<std::string>& input_files_;
 };
 
@@ -200,12 +168,12 @@ void expand_machine(YamlNode& machine, Loader& loader) {
 
 }  // namespace
 
-void inline_files(YamlNode& part, DescriptionPart kind, const std::string& models_directory,
+void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_directory,
                   std::vector<std::string>& input_files) {
-  Loader loader{models_directory, input_files};
+  Loader loader{data_directory, input_files};
   switch (kind) {
     case DescriptionPart::scene:
-      loader.expand(part, {});
+      loader.expand(part, "scenes");
       if (YamlNode* machine = part.find("machine")) {
         expand_machine(*machine, loader);
       }
@@ -220,15 +188,15 @@ void inline_files(YamlNode& part, DescriptionPart kind, const std::string& model
 }
 
 Description read_description(DescriptionTrees trees, const std::vector<Override>& changes,
-                             const std::string& models_directory) {
+                             const std::string& data_directory) {
   std::vector<std::string> input_files;
-  Loader loader{models_directory, input_files};
+  Loader loader{data_directory, input_files};
   return read_trees(std::move(trees), changes, loader);
 }
 
 Description load_description(const DescriptionSources& sources) {
   std::vector<std::string> input_files;
-  Loader loader{sources.models_directory, input_files};
+  Loader loader{sources.data_directory, input_files};
   DescriptionTrees trees;
   trees.scene = loader.load(sources.scene_file);
   if (sources.machine) {
@@ -244,7 +212,7 @@ Description load_description(const DescriptionSources& sources) {
 }
 
 Machine load_machine(const DescriptionSources& sources, std::vector<std::string>& input_files) {
-  Loader loader{sources.models_directory, input_files};
+  Loader loader{sources.data_directory, input_files};
   YamlNode machine = loader.load_named(sources.machine.value_or(std::string{k_default_machine}),
                                        "machines", {}, nullptr);
   for (const std::string& text : sources.overrides) {

@@ -16,7 +16,7 @@ struct DescriptionSources {
   std::string scene_file;
   std::optional<std::string> machine;  ///< goes before the scene's own; a file, or a shipped name
   std::vector<std::string> overrides;  ///< `path=value`, applied in this order
-  std::string models_directory;        ///< holds machines/*.yaml and arithmetic/*.yaml
+  std::string data_directory;          ///< holds models/ and scenes/, as they are shipped
 };
 
 /// A checked description and the files that it was read from, in the order of reading.
@@ -29,7 +29,7 @@ struct Description {
 /// Reads the scene, its machine and its cost table. The machine is `sources.machine`, or what the
 /// scene names or holds under `machine`, or the shipped ccett-1984; the cost table is what the
 /// machine names or holds under board.arithmetic, or the shipped motorola_ffp. Names of files are
-/// relative to the file that names them; a name without `/` and `.` is a shipped one.
+/// relative to the file that names them; where there is none, it may be the name of a shipped one.
 /// The first step of an override's path decides whether it goes to the scene or to the machine;
 /// `machine.` may be written before it.
 /// Throws DescriptionError.
@@ -41,7 +41,7 @@ enum class DescriptionPart { scene, machine, arithmetic };
 /// Puts the file that `part` names, if it is a name, in its place, and with it what that file names
 /// in turn; a scene's own machine stays in the scene. Remembers the files in `input_files`. Throws
 /// DescriptionError.
-void inline_files(YamlNode& part, DescriptionPart kind, const std::string& models_directory,
+void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_directory,
                   std::vector<std::string>& input_files);
 
 /// A description before it is checked.
@@ -54,7 +54,7 @@ struct DescriptionTrees {
 /// many descriptions that differ in little. Throws DescriptionError.
 [[nodiscard]] Description read_description(DescriptionTrees trees,
                                            const std::vector<Override>& changes,
-                                           const std::string& models_directory);
+                                           const std::string& data_directory);
 
 /// The same without a scene; without `sources.machine` it is the shipped ccett-1984.
 [[nodiscard]] Machine load_machine(const DescriptionSources& sources,

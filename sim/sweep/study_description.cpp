@@ -36,25 +36,25 @@ void give_machine(YamlNode& scene, const std::optional<YamlNode>& machine) {
 
 class Inliner {
  public:
-  Inliner(const std::string& models_directory, std::vector<std::string>& input_files)
-      : models_(models_directory), input_files_(input_files) {}
+  Inliner(const std::string& data_directory, std::vector<std::string>& input_files)
+      : data_(data_directory), input_files_(input_files) {}
 
   void scene(YamlNode& scene, const std::optional<YamlNode>& machine) const {
-    inline_files(scene, DescriptionPart::scene, models_, input_files_);
+    inline_files(scene, DescriptionPart::scene, data_, input_files_);
     give_machine(scene, machine);
-    inline_files(scene, DescriptionPart::scene, models_, input_files_);
+    inline_files(scene, DescriptionPart::scene, data_, input_files_);
   }
 
   void part(YamlNode& node, DescriptionPart kind, const std::optional<YamlNode>& machine) const {
     if (kind == DescriptionPart::scene) {
       scene(node, machine);
     } else {
-      inline_files(node, kind, models_, input_files_);
+      inline_files(node, kind, data_, input_files_);
     }
   }
 
  private:
-  const std::string& models_;
+  const std::string& data_;
   std::vector<std::string>& input_files_;
 };
 
@@ -119,11 +119,11 @@ Study read_study(const std::string& file) {
   return study;
 }
 
-void inline_files(Study& study, const std::string& models_directory,
+void inline_files(Study& study, const std::string& data_directory,
                   std::vector<std::string>& input_files) {
   check_paths(study);
   drop_replaced(study.changes);
-  const Inliner inliner{models_directory, input_files};
+  const Inliner inliner{data_directory, input_files};
   if (study.machine) {
     inliner.part(*study.machine, DescriptionPart::machine, study.machine);
   }

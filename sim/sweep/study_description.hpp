@@ -13,7 +13,7 @@ namespace maquette::sim {
 /// Puts every file that the study names in its place, so that the study needs no other file, and
 /// checks that no parameter is given twice. A whole machine, scene or cost table among the values
 /// of an axis keeps its name there. `input_files` gets what was read. Throws DescriptionError.
-void inline_files(Study& study, const std::string& models_directory,
+void inline_files(Study& study, const std::string& data_directory,
                   std::vector<std::string>& input_files);
 
 /// The study as a file that read_study reads back.

@@ -14,7 +14,7 @@ bool is_whole_machine(const Axis& axis) { return axis.path == "machine"; }
 /// The description of a point that gives each axis this value. Whole scenes and machines come
 /// before what the study sets in them.
 Description describe(const Study& study, const std::vector<const AxisValue*>& values,
-                     const std::string& models_directory) {
+                     const std::string& data_directory) {
   DescriptionTrees trees;
   const YamlNode* scene = &study.scene;
   const YamlNode* machine = study.machine ? &*study.machine : nullptr;
@@ -36,7 +36,7 @@ Description describe(const Study& study, const std::vector<const AxisValue*>& va
   if (machine != nullptr) {
     trees.machine = *machine;
   }
-  return read_description(std::move(trees), changes, models_directory);
+  return read_description(std::move(trees), changes, data_directory);
 }
 
 std::string text_without_name(Machine machine) {
@@ -46,19 +46,19 @@ std::string text_without_name(Machine machine) {
 
 }  // namespace
 
-StudyPoints::StudyPoints(Study study, std::string models_directory)
+StudyPoints::StudyPoints(Study study, std::string data_directory)
     : study_(std::move(study)),
-      models_(std::move(models_directory)),
-      own_(describe(study_, {}, models_)),
+      data_(std::move(data_directory)),
+      own_(describe(study_, {}, data_)),
       points_(study_, own_) {
   DescriptionSources sources;
-  sources.models_directory = models_;
+  sources.data_directory = data_;
   std::vector<std::string> input_files;
   prototype_ = text_without_name(load_machine(sources, input_files));
 }
 
 Description StudyPoints::description(int point) const {
-  return describe(study_, points_.values(point), models_);
+  return describe(study_, points_.values(point), data_);
 }
 
 std::vector<PointParameter> StudyPoints::parameters(int point) const {

@@ -21,7 +21,7 @@ struct PointParameter {
 class StudyPoints {
  public:
   /// Throws DescriptionError when the study's own description is wrong.
-  StudyPoints(Study study, std::string models_directory);
+  StudyPoints(Study study, std::string data_directory);
 
   [[nodiscard]] const Study& study() const { return study_; }
   [[nodiscard]] int size() const { return points_.size(); }
@@ -41,7 +41,7 @@ class StudyPoints {
 
  private:
   Study study_;
-  std::string models_;
+  std::string data_;
   OwnValues own_;
   PointList points_;
   std::string prototype_;

@@ -20,8 +20,8 @@ TEST_CASE("a point that fails is stored with its reason and the others go on") {
                    parse_override("frame_memory.height=24pixels")};
   study.axes = {parse_axis("board.ram=128KiB,40KiB,64KiB")};
   std::vector<std::string> input_files;
-  inline_files(study, MAQUETTE_MODELS_DIRECTORY, input_files);
-  const StudyPoints points(study, MAQUETTE_MODELS_DIRECTORY);
+  inline_files(study, MAQUETTE_PROJECT_DIRECTORY, input_files);
+  const StudyPoints points(study, MAQUETTE_PROJECT_DIRECTORY);
   CHECK_THROWS_AS(static_cast<void>(check_points(points)),
                   DescriptionError);  // the second board is too small
 

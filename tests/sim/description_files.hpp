@@ -13,8 +13,8 @@
 /// What the tests of descriptions share.
 namespace maquette::sim {
 
-inline std::filesystem::path models_directory() {
-  return MAQUETTE_MODELS_DIRECTORY;
+inline std::filesystem::path data_directory() {
+  return MAQUETTE_PROJECT_DIRECTORY;
 }
 
 inline std::string read_text(const std::filesystem::path& file) {
@@ -37,7 +37,7 @@ inline Description load_text(const std::string& scene, std::vector<std::string> 
   return load_description({write_file(directory, "scene.yaml", scene),
                            {},
                            std::move(overrides),
-                           models_directory().string()});
+                           data_directory().string()});
 }
 
 /// The message about a broken scene, without the directory; empty when it loads.

@@ -91,7 +91,7 @@ int run(int argc, char** argv) {
                     self,
                     project / "scenes" / "photo4.yaml",
                     project / "tools" / "benchmark" / "vase.yaml",
-                    project / "models",
+                    project,
                     scratch};
   if (!plain_directory.empty()) {
     maquette::benchmark::render_plain(paths, plain_directory);

@@ -88,7 +88,7 @@ double plain_s(const sim::Description& description) {
 std::vector<Row> measure_vase(const Paths& paths) {
   sim::DescriptionSources sources;
   sources.scene_file = paths.vase;
-  sources.models_directory = paths.models;
+  sources.data_directory = paths.models;
   const sim::Description description = sim::load_description(sources);
   const auto& memory = description.machine.parameters.frame_memory;
   sim::write_files(paths.scratch,

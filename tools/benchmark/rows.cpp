@@ -18,7 +18,7 @@ constexpr int k_repetitions = 9;
 sim::Description description_of(const Paths& paths) {
   sim::DescriptionSources sources;
   sources.scene_file = paths.scene;
-  sources.models_directory = paths.models;
+  sources.data_directory = paths.models;
   return sim::load_description(sources);
 }
 

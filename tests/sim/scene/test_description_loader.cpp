@@ -89,9 +89,9 @@ TEST_CASE("overrides are applied in their order, and processors grow along the d
 }
 
 TEST_CASE("the shipped prototype says every figure and says the declared defaults") {
-  const std::string file = (models_directory() / "machines" / "ccett-1984.yaml").string();
+  const std::string file = (data_directory() / "models/machines" / "ccett-1984.yaml").string();
   std::vector<std::string> input_files;
-  const Machine machine = load_machine({{}, file, {}, models_directory().string()}, input_files);
+  const Machine machine = load_machine({{}, file, {}, data_directory().string()}, input_files);
   Machine standard = default_machine();
   standard.name = machine.name;
   standard.arithmetic_name = machine.arithmetic_name;
@@ -113,7 +113,7 @@ TEST_CASE("the shipped prototype says every figure and says the declared default
   *written.find("board")->find("arithmetic") = yaml_scalar("motorola_ffp");
   CHECK(count_values(load_yaml(file), count_values) == count_values(written, count_values));
   CHECK(input_files == std::vector<std::string>{
-                           file, (models_directory() / "arithmetic/motorola_ffp.yaml").string()});
+                           file, (data_directory() / "models/arithmetic/motorola_ffp.yaml").string()});
 }
 
 TEST_CASE("every shipped cost table loads, orders its costs sensibly and marks its sources") {
@@ -136,14 +136,14 @@ TEST_CASE("every shipped cost table loads, orders its costs sensibly and marks i
 
 TEST_CASE("files are found relative to the file that names them") {
   const tests::ScratchDirectory directory;
-  const std::string table = read_text(models_directory() / "arithmetic/mc68881.yaml");
+  const std::string table = read_text(data_directory() / "models/arithmetic/mc68881.yaml");
   write_file(directory, "tables/mine.yaml", table);
   const std::string machine =
       write_file(directory, "machines/big.yaml",
                  "name: big\nprocessors: 16\nboard: {arithmetic: ../tables/mine.yaml}\n");
   const std::string scene =
       write_file(directory, "scenes/one.yaml", k_rich_scene + "machine: ../machines/big.yaml\n");
-  const std::string models = models_directory().string();
+  const std::string models = data_directory().string();
   const Description named = load_description({scene, {}, {}, models});
   CHECK(named.machine.parameters.boards.size() == 16);
   CHECK(named.machine.arithmetic_name == "mc68881");
