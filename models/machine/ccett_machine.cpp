@@ -4,21 +4,15 @@
 #include <stdexcept>
 #include <string>
 
+#include "models/board/long_word.hpp"
 #include "models/bus/kernel_time.hpp"
 
 namespace maquette::models {
 
 namespace {
 
-constexpr std::size_t k_long_bytes = 4;
 constexpr std::uint64_t k_least_block = 0x40000;
 constexpr std::uint64_t k_least_frame_base = 0x800000;
-
-// The kernel only renames the second one, with a warning.
-const sc_core::sc_module_name& with_unique_names(const sc_core::sc_module_name& name) {
-  sc_core::sc_report_handler::set_actions(sc_core::SC_ID_INSTANCE_EXISTS_, sc_core::SC_THROW);
-  return name;
-}
 
 std::uint64_t ram_block(const Kvm02Parameters& board) {
   std::uint64_t block = k_least_block;
@@ -30,6 +24,26 @@ std::uint64_t ram_block(const Kvm02Parameters& board) {
 
 bool shares_something(const MachineParameters& parameters) {
   return is_claimed(parameters.allotment.assignment) || is_shared(parameters.board.database);
+}
+
+CcettMachine::Addresses addresses_of(const MachineParameters& parameters, const FrameSetup& setup,
+                                     std::uint64_t frame_bytes) {
+  const std::uint64_t block = ram_block(parameters.board);
+  const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
+  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
+                          PixelFormat(parameters.frame_memory)};
+  const std::uint64_t frame_end = frame.base + frame_bytes;
+  return {block, frame,
+          SharedWindow{(frame_end + block - 1) / block * block,
+                       static_cast<std::int64_t>(setup.shared_database.size())}};
+}
+
+// The header of zeros, then the database, to the end of a long word.
+std::vector<unsigned char> shared_content(const std::vector<unsigned char>& database) {
+  const std::size_t used_bytes = SharedWindow::k_header_bytes + database.size();
+  std::vector<unsigned char> content((used_bytes + k_long_bytes - 1) / k_long_bytes * k_long_bytes);
+  std::copy(database.begin(), database.end(), content.begin() + SharedWindow::k_header_bytes);
+  return content;
 }
 
 std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
@@ -61,7 +75,7 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
 
 CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
                            PixelSource& source, const FrameSetup& setup)
-    : sc_module(with_unique_names(name)),
+    : sc_module(name),
       zone_(setup.useful_zone),
       allotment_(parameters.allotment, zone_, static_cast<int>(parameters.boards.size())),
       start_("start"),
@@ -69,57 +83,78 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
       frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
                     setup.keep_log) {
   check(parameters, setup);
-  const std::uint64_t block = ram_block(parameters.board);
-  const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
-  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
-                          PixelFormat(parameters.frame_memory)};
-  const auto ports = static_cast<std::size_t>(parameters.frame_memory.ports);
-  std::vector<Backplane> backplanes;
-  for (std::size_t port = 0; port < ports; ++port) {
-    buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
-    buses_[port]->attach_slave(frame_memory_.bus_ports[port],
-                               {frame_memory_.name(), frame.base, frame_memory_.size_bytes()});
-    backplanes.push_back({*buses_[port], {}, {}});
-  }
-  const SharedWindow shared{(frame.base + frame_memory_.size_bytes() + block - 1) / block * block,
-                            static_cast<std::int64_t>(setup.shared_database.size())};
-
+  const Addresses addresses = addresses_of(parameters, setup, frame_memory_.size_bytes());
+  std::vector<Backplane> backplanes = make_buses(parameters, addresses);
   if (shares_something(parameters)) {
-    const std::size_t used_bytes = SharedWindow::k_header_bytes + setup.shared_database.size();
-    std::vector<unsigned char> content((used_bytes + k_long_bytes - 1) / k_long_bytes *
-                                       k_long_bytes);
-    std::copy(setup.shared_database.begin(), setup.shared_database.end(),
-              content.begin() + SharedWindow::k_header_bytes);
-    shared_memory_.emplace("shared_memory", parameters.shared_memory, content.size(),
-                           parameters.frame_memory.ports);
-    for (std::size_t port = 0; port < ports; ++port) {
-      buses_[port]->attach_slave(
-          shared_memory_->bus_ports[port],
-          {shared_memory_->name(), shared.base, shared_memory_->size_bytes()});
-    }
+    std::vector<unsigned char> content = shared_content(setup.shared_database);
+    make_shared_memory(parameters, addresses, content.size());
     if (!setup.images.empty()) {
-      backplanes[0].images.push_back({shared.base, std::move(content)});
+      backplanes[0].images.push_back({addresses.shared.base, std::move(content)});
     }
   }
-  BoardShare share{allotment_, 0, static_cast<std::int64_t>(parameters.boards.size()), {}};
+  for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
+    Backplane& backplane = backplanes[index % backplanes.size()];
+    backplane.boards.push_back(make_board(index, parameters, addresses, backplane.bus, source));
+    if (!setup.images.empty()) {
+      backplane.images.push_back({addresses.ram(index), setup.images[index]});
+    }
+  }
+  make_host(parameters, std::move(backplanes));
+}
+
+std::vector<Backplane> CcettMachine::make_buses(const MachineParameters& parameters,
+                                                const Addresses& addresses) {
+  std::vector<Backplane> backplanes;
+  for (std::size_t port = 0; port < frame_memory_.bus_ports.size(); ++port) {
+    buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
+    VersaBus& bus = *buses_.back();
+    bus.attach_slave(frame_memory_.bus_ports[port],
+                     {frame_memory_.name(), addresses.frame.base, frame_memory_.size_bytes()});
+    backplanes.push_back({bus, {}, {}});
+  }
+  return backplanes;
+}
+
+void CcettMachine::make_shared_memory(const MachineParameters& parameters,
+                                      const Addresses& addresses, std::size_t bytes) {
+  shared_memory_.emplace("shared_memory", parameters.shared_memory, bytes,
+                         parameters.frame_memory.ports);
+  for (std::size_t port = 0; port < buses_.size(); ++port) {
+    buses_[port]->attach_slave(
+        shared_memory_->bus_ports[port],
+        {shared_memory_->name(), addresses.shared.base, shared_memory_->size_bytes()});
+  }
+}
+
+int CcettMachine::make_board(std::size_t index, const MachineParameters& parameters,
+                             const Addresses& addresses, VersaBus& bus, PixelSource& source) {
+  BoardShare share{allotment_,
+                   static_cast<std::int64_t>(index),
+                   static_cast<std::int64_t>(parameters.boards.size()),
+                   {}};
   if (is_claimed(parameters.allotment.assignment)) {
     share.claim = parameters.allotment.claim;
   }
-  for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
-    const std::uint64_t ram_base = block * (index + 1);
-    Backplane& backplane = backplanes[index % ports];
-    share.first = static_cast<std::int64_t>(index);
-    boards_.push_back(std::make_unique<Kvm02>(
-        ("board" + std::to_string(index)).c_str(), parameters.board,
-        BoardSite{backplane.bus, parameters.boards[index], ram_base, frame, shared}, share, source,
-        start_));
-    backplane.boards.push_back(boards_.back()->master());
-    if (!setup.images.empty()) {
-      backplane.images.push_back({ram_base, setup.images[index]});
-    }
-  }
+  boards_.push_back(std::make_unique<Kvm02>(
+      ("board" + std::to_string(index)).c_str(), parameters.board,
+      BoardSite{bus, addresses.frame, addresses.shared}, share, source, start_));
+  Kvm02& board = *boards_.back();
+  const int master = bus.attach_master(
+      board.bus_master, {board.name(), parameters.boards[index], board.access_law()});
+  board.set_master(master);
+  bus.attach_slave(board.ram_port, {board.name(), addresses.ram(index), board.ram_bytes()});
+  return master;
+}
+
+void CcettMachine::make_host(const MachineParameters& parameters,
+                             std::vector<Backplane> backplanes) {
   host_ = std::make_unique<Host>("host", parameters.host, parameters.board, std::move(backplanes),
                                  start_);
+  for (std::size_t i = 0; i < buses_.size(); ++i) {
+    host_->set_master(
+        i, buses_[i]->attach_master(host_->bus_masters[i],
+                                    {host_->name(), parameters.host.place, host_->access_law()}));
+  }
 }
 
 void CcettMachine::observe_bus(const std::function<void(const BusAccess&)>& observer) {

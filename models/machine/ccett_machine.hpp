@@ -31,8 +31,8 @@ struct FrameSetup {
 
 /// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus, or on as many backplanes
 /// as the frame memory has ports, board b on backplane b mod ports. Elaborated by its
-/// constructor; a plain `sc_start` runs it until all boards are done, since nothing in it is
-/// periodic.
+/// constructor, which alone binds sockets: modules do not bind themselves. A plain `sc_start` runs
+/// it until all boards are done, since nothing in it is periodic.
 ///
 /// Address map: each board's RAM has its own block of 256 Kbyte (VM02 data sheet p. 2-53), or of
 /// the next power of two for a larger RAM, board 0 from the second block on; the frame memory
@@ -41,8 +41,17 @@ struct FrameSetup {
 /// the KVM02's 24 bits (the bus has up to 32).
 class CcettMachine : public sc_core::sc_module {
  public:
+  /// Its address map; the same on each backplane.
+  struct Addresses {
+    std::uint64_t block;  ///< of a board
+    FrameWindow frame;
+    SharedWindow shared;
+
+    [[nodiscard]] std::uint64_t ram(std::size_t board) const { return block * (board + 1); }
+  };
+
   /// `source` is kept by reference; it has the pixels of the PixelAllotment that parameters and
-  /// useful zone make. From here on a duplicate module name is an error. Throws
+  /// useful zone make. Throws
   /// std::invalid_argument for parameters that make no machine, or images that do not fit the
   /// boards.
   CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
@@ -75,6 +84,16 @@ class CcettMachine : public sc_core::sc_module {
   [[nodiscard]] const VersaBus& bus(std::size_t backplane = 0) const { return *buses_[backplane]; }
 
  private:
+  // In the order in which they bind their sockets, which numbers masters: the boards of each bus,
+  // then the host. A board's number on its bus is returned.
+  std::vector<Backplane> make_buses(const MachineParameters& parameters,
+                                    const Addresses& addresses);
+  void make_shared_memory(const MachineParameters& parameters, const Addresses& addresses,
+                          std::size_t bytes);
+  int make_board(std::size_t index, const MachineParameters& parameters, const Addresses& addresses,
+                 VersaBus& bus, PixelSource& source);
+  void make_host(const MachineParameters& parameters, std::vector<Backplane> backplanes);
+
   [[nodiscard]] Instant furthest_known() const;
 
   PixelRectangle zone_;

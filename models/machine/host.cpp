@@ -7,26 +7,17 @@
 
 namespace maquette::models {
 
-namespace {
-
-AccessLaw access_law(const HostParameters& host, const Kvm02Parameters& interface) {
-  return {Period::of_frequency(host.clock_hz), interface.access_clocks, interface.access_slack};
-}
-
-}  // namespace
-
 Host::Host(const sc_core::sc_module_name& name, const HostParameters& parameters,
            const Kvm02Parameters& interface, std::vector<Backplane> backplanes,
            sc_core::sc_event& start)
     : sc_module(name),
       bus_masters("bus_master", backplanes.size()),
-      word_time_(Period::of_frequency(parameters.clock_hz).times(parameters.word_clocks)),
+      access_law_{Period::of_frequency(parameters.clock_hz), interface.access_clocks,
+                  interface.access_slack},
+      word_time_(access_law_.clock.times(parameters.word_clocks)),
       backplanes_(std::move(backplanes)),
+      masters_(backplanes_.size(), k_nobody),
       start_(start) {
-  for (std::size_t i = 0; i < backplanes_.size(); ++i) {
-    masters_.push_back(backplanes_[i].bus.attach_master(
-        bus_masters[i], {this->name(), parameters.place, access_law(parameters, interface)}));
-  }
   if (parameters.word_clocks < 0) {
     throw std::invalid_argument("times of the host must not be negative");
   }

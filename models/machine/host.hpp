@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "models/board/kvm02_parameters.hpp"
+#include "models/bus/access_law.hpp"
 #include "models/bus/bus_transaction.hpp"
 #include "models/bus/duration.hpp"
 #include "models/bus/versabus.hpp"
@@ -35,12 +36,19 @@ struct Backplane {
 class Host : public sc_core::sc_module {
  public:
   /// Loads the images of one backplane after the other, then notifies `start`. Both buses and start
-  /// are kept by reference.
+  /// are kept by reference. Whoever makes it binds a socket to each backplane and tells the host
+  /// its number there.
   Host(const sc_core::sc_module_name& name, const HostParameters& parameters,
        const Kvm02Parameters& interface, std::vector<Backplane> backplanes,
        sc_core::sc_event& start);
 
   sc_core::sc_vector<tlm_utils::simple_initiator_socket<Host>> bus_masters;
+
+  /// As a master of its buses.
+  [[nodiscard]] const AccessLaw& access_law() const { return access_law_; }
+
+  /// Its number on a backplane, told before the simulation starts.
+  void set_master(std::size_t backplane, int master) { masters_[backplane] = master; }
 
   [[nodiscard]] const HostStatistics& statistics() const { return statistics_; }
 
@@ -48,6 +56,7 @@ class Host : public sc_core::sc_module {
   void run();
   void load(std::size_t backplane, LoadImage& image);
 
+  AccessLaw access_law_;
   Duration word_time_;
   std::vector<Backplane> backplanes_;
   std::vector<int> masters_;  // the host's number on each

@@ -8,6 +8,7 @@
 #include "models/bus/kernel_time.hpp"
 #include "models/display/video_reader.hpp"
 #include "models/machine/ccett_machine.hpp"
+#include "models/machine/unique_names.hpp"
 #include "sim/database/database_image.hpp"
 #include "sim/database/memory_map.hpp"
 #include "sim/run/bus_recorder.hpp"
@@ -116,6 +117,7 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    models::PixelSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
+  models::require_unique_names();
   models::CcettMachine model("machine", machine.parameters, source, setup);
   SimulationResult result;
   if (request.trace) {

@@ -3,6 +3,7 @@
 
 #include "models/bus/arbitration_policies.hpp"
 #include "models/machine/ccett_machine.hpp"
+#include "models/machine/unique_names.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 #include "tests/models/machine/machine_run.hpp"
@@ -207,6 +208,7 @@ TEST_CASE("a bus error ends the run with master, address and instant") {
 }
 
 TEST_CASE("two machines of the same name are an error") {
+  require_unique_names();
   Run first("twin", machine(1), zone({0, 0, 1, 1}));
   CHECK_THROWS_WITH(Run("twin", machine(1), zone({0, 0, 1, 1})), Catch::Contains("already exists"));
 }

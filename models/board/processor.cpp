@@ -1,0 +1,70 @@
+#include "models/board/processor.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "models/bus/bus_error.hpp"
+#include "models/bus/kernel_time.hpp"
+
+namespace maquette::models {
+
+Processor::Processor(const Kvm02Parameters& parameters,
+                     tlm::tlm_base_initiator_socket<>& bus_master, const std::string& name)
+    : cost_(parameters),
+      clock_(Period::of_frequency(parameters.clock_hz)),
+      bus_master_(bus_master),
+      name_(name) {}
+
+void Processor::start() { started_ = accounted_ = kernel_now(); }
+
+void Processor::transact(BusBurst& burst) {
+  burst.transaction.runs_ahead = true;
+  sc_core::sc_time delay = to_sc_time(computing_);
+  bus_master_->b_transport(burst.payload, delay);
+  require_answer(burst.payload, burst.transaction, name_);
+  if (!burst.transaction.follow_up) {
+    account(burst.transaction, kernel_now());
+  }
+}
+
+void Processor::account(const BusTransaction& transaction, Instant end) {
+  states_.compute += computing_ + transaction.gaps();
+  states_.wait_grant += transaction.waited;
+  states_.transfer += transaction.transferred;
+  states_.words += transaction.accesses;
+  if (transaction.longest_wait > states_.longest_wait) {
+    states_.longest_wait = transaction.longest_wait;
+    states_.longest_wait_request = transaction.longest_wait_request;
+  }
+  computing_ = Duration::zero();
+  accounted_ = end;
+}
+
+void Processor::finish() {
+  sc_core::wait(to_sc_time(computing_));
+  states_.compute += computing_;
+  computing_ = Duration::zero();
+  accounted_ = kernel_now();
+  states_.finished = accounted_;
+}
+
+BoardStatistics Processor::statistics(Instant instant) const {
+  BoardStatistics statistics = states_;
+  if (!started_) {
+    return statistics;
+  }
+  if (statistics.compute + statistics.wait_grant + statistics.transfer != accounted_ - *started_) {
+    throw std::logic_error(name_ + ": states do not sum to the elapsed time");
+  }
+  const Duration rest = instant - accounted_;
+  if (statistics.finished) {
+    statistics.idle = rest;
+  } else {
+    const Duration computed = std::min(rest, computing_);
+    statistics.compute += computed;
+    statistics.wait_grant += rest - computed;
+  }
+  return statistics;
+}
+
+}  // namespace maquette::models

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tlm>
+
+#include "firmware/arithmetic/work.hpp"
+#include "models/board/board_statistics.hpp"
+#include "models/board/kvm02_parameters.hpp"
+#include "models/board/work_cost.hpp"
+#include "models/bus/bus_burst.hpp"
+#include "models/bus/instant.hpp"
+#include "models/bus/period.hpp"
+
+namespace maquette::models {
+
+/// The time of a board's processor, and what it did with it.
+///
+/// It runs ahead of the kernel on its private memory: the kernel sees only its bus transactions.
+/// What it has computed since the last one is the time from there to its next request.
+class Processor {
+ public:
+  /// The socket is kept by reference; `name` is that of the board, for messages. Throws as Period
+  /// and WorkCost.
+  Processor(const Kvm02Parameters& parameters, tlm::tlm_base_initiator_socket<>& bus_master,
+            const std::string& name);
+
+  /// The frame starts, in the kernel's present instant.
+  void start();
+
+  void compute(Duration time) { computing_ += time; }
+  void compute(Clocks clocks) { computing_ += clock_.times(clocks); }
+
+  /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus.
+  [[nodiscard]] Duration time_of(const firmware::Work& work, std::int64_t bus_loads = 0) const {
+    return cost_.duration(work, bus_loads);
+  }
+  [[nodiscard]] const Period& clock() const { return clock_; }
+
+  /// Computes for as long as is due, then does the burst; returns at its end. Reports a bus error.
+  void transact(BusBurst& burst);
+
+  /// Puts a burst that has ended into the states. `transact` does it for a burst that nothing
+  /// follows up.
+  void account(const BusTransaction& transaction, Instant end);
+
+  /// Computes for as long as is due: its last work has ended.
+  void finish();
+
+  /// Since the last transaction.
+  [[nodiscard]] Duration computing() const { return computing_; }
+
+  /// The instant that it has reached.
+  [[nodiscard]] Instant now() const { return accounted_ + computing_; }
+
+  /// Up to here its states are known, perhaps ahead of the kernel.
+  [[nodiscard]] Instant accounted() const { return accounted_; }
+
+  [[nodiscard]] std::optional<Instant> finished() const { return states_.finished; }
+
+  /// Its states, words and longest wait; see Kvm02::statistics. Throws std::logic_error when the
+  /// states do not sum to the time that has passed.
+  [[nodiscard]] BoardStatistics statistics(Instant instant) const;
+
+ private:
+  WorkCost cost_;
+  Period clock_;
+  tlm::tlm_base_initiator_socket<>& bus_master_;
+  std::string name_;
+  std::optional<Instant> started_;
+  Instant accounted_{};
+  Duration computing_{};
+  BoardStatistics states_;
+};
+
+}  // namespace maquette::models
