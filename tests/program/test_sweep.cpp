@@ -189,8 +189,10 @@ TEST_CASE("A sweep that is killed or interrupted goes on where it ended") {
     int status = 0;
     ::waitpid(process, &status, 0);
     const bool has_finished = WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    CHECK((has_finished || (signal == SIGKILL ? WIFSIGNALED(status)
-                                              : WIFEXITED(status) && WEXITSTATUS(status) == 130)));
+    // On a loaded machine the signal may come before the program listens to any.
+    const bool is_killed = WIFSIGNALED(status) && WTERMSIG(status) == signal;
+    const bool is_interrupted = signal == SIGINT && WIFEXITED(status) && WEXITSTATUS(status) == 130;
+    CHECK((has_finished || is_killed || is_interrupted));
   }
   REQUIRE(run_maquette(options + "--outdir " + broken).exit_code == 0);
   check_same_study(whole, broken);
