@@ -17,11 +17,4 @@ struct Crossing {
   SurfaceIndex medium;  ///< behind the crossing: the surface of the body entered, or k_void
 };
 
-/// The work area of a ray: crossings of the operands on the way, as a stack.
-template <class Real>
-struct CrossingArea {
-  Crossing<Real>* crossings;
-  std::int32_t capacity;
-};
-
 }  // namespace maquette::firmware

@@ -5,7 +5,8 @@
 #include "firmware/vector.hpp"
 
 /// The scene as a board's RAM holds it (paper, section V.2.3.1.1): flat arrays, loaded by the host.
-/// The host program lays them out in its own way; the sizes of records.hpp are those of the board.
+/// The host program lays them out in its own way; the sizes in memory_needs.hpp are those of the
+/// board.
 namespace maquette::firmware {
 
 /// Leaves are numbered 0 .. leaf_count-1, composites follow; children have smaller numbers than
@@ -17,19 +18,11 @@ inline constexpr NodeIndex k_no_node = 0xFFFFFFFF;
 /// The medium outside of every body.
 inline constexpr SurfaceIndex k_void = 0xFFFF;
 
-enum class PrimitiveKind : std::uint8_t {
-  half_space,
-  box,
-  sphere,
-  cylinder,
-  cone,
-  revolution,
-  terrain,
-  algebraic,
-  prism,
-  patches
-};
-inline constexpr int k_primitive_kind_count = 10;
+/// Which primitive a leaf is: its place in the table of primitives
+/// (primitives/primitive_table.hpp).
+enum class PrimitiveKind : std::uint8_t {};
+/// So many find room in the long word of bits that tells a board the needs of a scene.
+inline constexpr int k_primitive_kind_limit = 14;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 
@@ -89,7 +82,7 @@ struct Observer {
 
 /// What of the firmware a scene needs; the rest is neither run nor packed nor charged.
 struct Needs {
-  bool primitives[k_primitive_kind_count];
+  bool primitives[k_primitive_kind_limit];  ///< by PrimitiveKind
   bool several_spans;  ///< a primitive in which a ray may have more than one span
   bool unions;
   bool large_unions;  ///< a union of so many that testing boxes is worth its while

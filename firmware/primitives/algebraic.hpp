@@ -155,4 +155,12 @@ int hit_limit(const Real* parameters) {
   return (to_integer(parameters[0]) / 2 + 1) * 2;
 }
 
+/// What the table of primitives lists.
+struct Kind {
+  template <class Real>
+  static constexpr Primitive<Real> primitive() {
+    return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};
+  }
+};
+
 }  // namespace maquette::firmware::algebraic

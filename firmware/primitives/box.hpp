@@ -41,4 +41,12 @@ bool bounds(const Real* /*parameters*/, Box<Real>& box) {
   return true;
 }
 
+/// What the table of primitives lists.
+struct Kind {
+  template <class Real>
+  static constexpr Primitive<Real> primitive() {
+    return {intersect<Real>, settle<Real>, bounds<Real>, convex_hit_limit<Real>, true};
+  }
+};
+
 }  // namespace maquette::firmware::box

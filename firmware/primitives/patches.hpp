@@ -230,4 +230,12 @@ int hit_limit(const Real* parameters) {
   return hits < k_hit_limit ? hits : k_hit_limit;
 }
 
+/// What the table of primitives lists.
+struct Kind {
+  template <class Real>
+  static constexpr Primitive<Real> primitive() {
+    return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};
+  }
+};
+
 }  // namespace maquette::firmware::patches

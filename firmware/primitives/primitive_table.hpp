@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "firmware/primitives/algebraic.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/cone.hpp"
@@ -13,32 +15,49 @@
 
 namespace maquette::firmware {
 
-/// The primitives in the order of PrimitiveKind: one line each.
-template <class Real>
-inline constexpr Primitive<Real> k_primitives[k_primitive_kind_count] = {
-    {half_space::intersect<Real>, half_space::settle<Real>, half_space::bounds<Real>,
-     convex_hit_limit<Real>, true},
-    {box::intersect<Real>, box::settle<Real>, box::bounds<Real>, convex_hit_limit<Real>, true},
-    {sphere::intersect<Real>, sphere::settle<Real>, sphere::bounds<Real>, convex_hit_limit<Real>,
-     true},
-    {cylinder::intersect<Real>, cylinder::settle<Real>, cylinder::bounds<Real>,
-     convex_hit_limit<Real>, true},
-    {cone::intersect<Real>, cone::settle<Real>, cone::bounds<Real>, convex_hit_limit<Real>, true},
-    {revolution::intersect<Real>, revolution::settle<Real>, revolution::bounds<Real>,
-     revolution::hit_limit<Real>, false},
-    {terrain::intersect<Real>, terrain::settle<Real>, terrain::bounds<Real>,
-     terrain::hit_limit<Real>, false},
-    {algebraic::intersect<Real>, algebraic::settle<Real>, algebraic::bounds<Real>,
-     algebraic::hit_limit<Real>, false},
-    {prism::intersect<Real>, prism::settle<Real>, prism::bounds<Real>, prism::hit_limit<Real>,
-     false},
-    {patches::intersect<Real>, patches::settle<Real>, patches::bounds<Real>,
-     patches::hit_limit<Real>, false},
+/// Primitives in the order of their PrimitiveKind.
+template <class... Kinds>
+struct PrimitiveList {
+  static constexpr int k_count = sizeof...(Kinds);
 };
+
+/// The table of primitives: each is one row here, its geometry in the header of its name; what a
+/// scene says of it stands in the header and the source of that name in sim/primitives.
+using Primitives =
+    PrimitiveList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
+                  revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind, patches::Kind>;
+
+inline constexpr int k_primitive_kind_count = Primitives::k_count;
+static_assert(k_primitive_kind_count <= k_primitive_kind_limit);
+
+template <class Real>
+struct PrimitiveTable {
+  Primitive<Real> rows[k_primitive_kind_count];
+};
+
+template <class Real, class... Kinds>
+constexpr PrimitiveTable<Real> primitive_table(PrimitiveList<Kinds...> /*kinds*/) {
+  return {{Kinds::template primitive<Real>()...}};
+}
+
+template <class Real>
+inline constexpr PrimitiveTable<Real> k_primitives = primitive_table<Real>(Primitives{});
 
 template <class Real>
 constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
-  return k_primitives<Real>[static_cast<int>(kind)];
+  return k_primitives<Real>.rows[static_cast<int>(kind)];
 }
+
+template <class Kind, class... Kinds>
+constexpr PrimitiveKind place_in(PrimitiveList<Kinds...> /*kinds*/) {
+  int place = 0;
+  bool is_found = false;
+  ((is_found = is_found || std::is_same_v<Kind, Kinds>, place += is_found ? 0 : 1), ...);
+  return static_cast<PrimitiveKind>(place);
+}
+
+/// The kind of the leaves of a primitive, e.g. kind_of<sphere::Kind>.
+template <class Kind>
+inline constexpr PrimitiveKind kind_of = place_in<Kind>(Primitives{});
 
 }  // namespace maquette::firmware

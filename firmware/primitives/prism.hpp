@@ -94,4 +94,12 @@ int hit_limit(const Real* parameters) {
   return crossing_count(curve.lines, curve.cubics) / 2 * 2;
 }
 
+/// What the table of primitives lists.
+struct Kind {
+  template <class Real>
+  static constexpr Primitive<Real> primitive() {
+    return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};
+  }
+};
+
 }  // namespace maquette::firmware::prism

@@ -174,4 +174,12 @@ bool bounds(const Real* parameters, Box<Real>& box) {
   return true;
 }
 
+/// What the table of primitives lists.
+struct Kind {
+  template <class Real>
+  static constexpr Primitive<Real> primitive() {
+    return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};
+  }
+};
+
 }  // namespace maquette::firmware::revolution

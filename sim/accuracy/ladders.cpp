@@ -7,8 +7,9 @@ namespace maquette::sim {
 namespace {
 
 bool has_roots(const Object& object) {
-  return object.kind == ObjectKind::revolution ||
-         std::any_of(object.children.begin(), object.children.end(), has_roots);
+  const bool is_approximate = object.primitive && object.primitive->description->root_tolerance !=
+                                                      PrimitiveDescription::k_no_tolerance;
+  return is_approximate || std::any_of(object.children.begin(), object.children.end(), has_roots);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "sim/database/database_image.hpp"
 
+#include "firmware/primitives/primitive_table.hpp"
+
 #include <cstring>
 
 namespace maquette::sim {
@@ -47,8 +49,8 @@ std::uint32_t number(Enumeration value) {
 void write_needs(ImageWriter& writer, const firmware::Needs& needs) {
   std::uint32_t bits = 0;
   const auto add = [&bits](bool need) { bits = bits << 1U | static_cast<std::uint32_t>(need); };
-  for (const bool primitive : needs.primitives) {
-    add(primitive);
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    add(needs.primitives[kind]);
   }
   for (const bool need : {needs.unions, needs.large_unions, needs.intersections, needs.differences,
                           needs.diffuse, needs.specular, needs.dielectrics, needs.metals}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
 
@@ -66,35 +67,30 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
 }
 
 std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
-  return {{"half_space", needs.primitives[0]},
-          {"box", needs.primitives[1]},
-          {"sphere", needs.primitives[2]},
-          {"cylinder", needs.primitives[3]},
-          {"cone", needs.primitives[4]},
-          {"revolution", needs.primitives[5]},
-          {"terrain", needs.primitives[6]},
-          {"algebraic", needs.primitives[7]},
-          {"prism", needs.primitives[8]},
-          {"patches", needs.primitives[9]},
-          {"several spans", needs.several_spans},
-          {"union", needs.unions},
-          {"large union", needs.large_unions},
-          {"intersection", needs.intersections},
-          {"difference", needs.differences},
-          {"diffuse reflection", needs.diffuse},
-          {"specular reflection", needs.specular},
-          {"dielectrics", needs.dielectrics},
-          {"metals", needs.metals},
-          {"cosine power facets", needs.facets[0]},
-          {"Gaussian facets", needs.facets[1]},
-          {"Trowbridge-Reitz facets", needs.facets[2]},
-          {"transparency", needs.transparency},
-          {"absorption", needs.absorption},
-          {"lights", needs.lights},
-          {"shadows", needs.shadows},
-          {"ambient light", needs.ambient},
-          {"secondary rays", needs.reflections},
-          {"depth of pixels", needs.depth}};
+  std::vector<NamedNeed> named;
+  for (const PrimitiveDescription* primitive : primitive_table()) {
+    named.push_back({std::string{primitive->name}, needs.primitives[named.size()]});
+  }
+  named.insert(named.end(), {{"several spans", needs.several_spans},
+                             {"union", needs.unions},
+                             {"large union", needs.large_unions},
+                             {"intersection", needs.intersections},
+                             {"difference", needs.differences},
+                             {"diffuse reflection", needs.diffuse},
+                             {"specular reflection", needs.specular},
+                             {"dielectrics", needs.dielectrics},
+                             {"metals", needs.metals},
+                             {"cosine power facets", needs.facets[0]},
+                             {"Gaussian facets", needs.facets[1]},
+                             {"Trowbridge-Reitz facets", needs.facets[2]},
+                             {"transparency", needs.transparency},
+                             {"absorption", needs.absorption},
+                             {"lights", needs.lights},
+                             {"shadows", needs.shadows},
+                             {"ambient light", needs.ambient},
+                             {"secondary rays", needs.reflections},
+                             {"depth of pixels", needs.depth}});
+  return named;
 }
 
 }  // namespace maquette::sim

@@ -4,7 +4,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "sim/database/local_frame.hpp"
+#include "firmware/primitives/primitive_table.hpp"
 #include "sim/scene/placement.hpp"
 
 namespace maquette::sim {
@@ -44,22 +44,22 @@ class TreeBuilder {
   Node node_of(const Object& object, const Placement& above, const std::string& inherited) {
     const Placement placement = concatenated(above, object.placement);
     const std::string& surface = object.surface.empty() ? inherited : object.surface;
-    if (object.children.empty()) {
-      return leaf_of(object, placement, surface);
+    if (object.primitive) {
+      return leaf_of(*object.primitive, placement, surface);
     }
     std::vector<Node> children;
     children.reserve(object.children.size());
     for (const Object& child : object.children) {
       children.push_back(node_of(child, placement, surface));
     }
-    switch (object.kind) {
-      case ObjectKind::union_of:
+    switch (object.combination) {
+      case BooleanOperator::union_of:
         return united(children.begin(), children.end());
-      case ObjectKind::difference:
+      case BooleanOperator::difference:
         return children.size() == 1 ? children.front()
                                     : composite_of(BooleanOperator::difference, children.front(),
                                                    united(children.begin() + 1, children.end()));
-      default:
+      case BooleanOperator::intersection:
         break;
     }
     Node result = children.front();
@@ -69,8 +69,8 @@ class TreeBuilder {
     return result;
   }
 
-  Node leaf_of(const Object& object, const Placement& placement, const std::string& surface) {
-    const LocalFrame frame = local_frame_of(object);
+  Node leaf_of(const Primitive& primitive, const Placement& placement, const std::string& surface) {
+    const LocalFrame frame = frame_of(primitive);
     TreeLeaf leaf;
     leaf.kind = frame.kind;
     leaf.surface = surfaces_.at(surface);
@@ -79,7 +79,8 @@ class TreeBuilder {
     tree_.leaves.push_back(leaf);
     Node node;
     node.index = tree_.leaves.size() - 1;
-    node.bounded = frame.kind != firmware::PrimitiveKind::half_space;
+    firmware::Box<double> box{};
+    node.bounded = firmware::primitive_of<double>(leaf.kind).bounds(leaf.parameters.data(), box);
     node.center = leaf.to_scene[3];
     return node;
   }

@@ -4,10 +4,10 @@
 #include <unordered_map>
 
 #include "firmware/arithmetic/counted.hpp"
-#include "firmware/primitives/revolution.hpp"
-#include "sim/database/local_frame.hpp"
 #include "sim/database/needs.hpp"
 #include "sim/database/surface_packing.hpp"
+#include "sim/primitives/primitive_table.hpp"
+#include "sim/scene/placement.hpp"
 
 namespace maquette::sim {
 
@@ -119,9 +119,10 @@ void pack_leaves(const Scene& scene, const ObjectTree& tree, const UsedSurfaces&
     for (const double parameter : leaf.parameters) {
       packed.parameters.push_back(rounded<Real>(parameter));
     }
-    if (leaf.kind == firmware::PrimitiveKind::revolution) {
+    const int tolerance = description_of(leaf.kind).root_tolerance;
+    if (tolerance != PrimitiveDescription::k_no_tolerance) {
       packed.parameters[packed.leaves.back().first_parameter +
-                        firmware::revolution::k_root_tolerance] =
+                        static_cast<std::uint32_t>(tolerance)] =
           rounded<Real>(scene.roots.tolerance);
     }
   }

@@ -57,6 +57,9 @@ struct WholeType {
   [[nodiscard]] std::string range() const;
 };
 
+/// A length in units of the scene that is not zero.
+inline constexpr RealType k_length{RealDimension::number, {0, k_largest_length, true}};
+
 /// Three numbers [x, y, z] or [red, green, blue]; one number stands for three equal ones if
 /// `one_for_all`.
 struct TripleType {

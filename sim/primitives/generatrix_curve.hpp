@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/primitives/revolution_shape.hpp"
+#include "sim/primitives/revolution.hpp"
 
 namespace maquette::sim {
 

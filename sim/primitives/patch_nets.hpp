@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/primitives/patches_shape.hpp"
+#include "sim/primitives/patches.hpp"
 
 namespace maquette::sim {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "sim/primitives/edge_crossings.hpp"
-#include "sim/primitives/prism_shape.hpp"
+#include "sim/primitives/prism.hpp"
 
 namespace maquette::sim {
 

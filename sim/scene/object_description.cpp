@@ -1,15 +1,14 @@
 #include "sim/scene/object_description.hpp"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/fields/field_reader.hpp"
-#include "sim/fields/field_writer.hpp"
+#include "sim/primitives/primitive_table.hpp"
 #include "sim/scene/placement.hpp"
-#include "sim/scene/scene_fields.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/name_check.hpp"
 #include "sim/yaml/nearest_name.hpp"
@@ -17,39 +16,49 @@
 namespace maquette::sim {
 namespace {
 
-struct KindName {
+using firmware::BooleanOperator;
+
+struct OperatorName {
   std::string_view name;
-  ObjectKind kind;
+  BooleanOperator combination;
 };
 
-constexpr std::array<KindName, 13> k_kinds = {{{"half_space", ObjectKind::half_space},
-                                               {"box", ObjectKind::box},
-                                               {"sphere", ObjectKind::sphere},
-                                               {"cylinder", ObjectKind::cylinder},
-                                               {"cone", ObjectKind::cone},
-                                               {"revolution", ObjectKind::revolution},
-                                               {"terrain", ObjectKind::terrain},
-                                               {"algebraic", ObjectKind::algebraic},
-                                               {"prism", ObjectKind::prism},
-                                               {"patches", ObjectKind::patches},
-                                               {"union", ObjectKind::union_of},
-                                               {"intersection", ObjectKind::intersection},
-                                               {"difference", ObjectKind::difference}}};
+constexpr OperatorName k_operators[] = {{"union", BooleanOperator::union_of},
+                                        {"intersection", BooleanOperator::intersection},
+                                        {"difference", BooleanOperator::difference}};
 
-constexpr std::string_view k_kind_list =
-    "half_space, box, sphere, cylinder, cone, revolution, terrain, algebraic, prism, patches, "
-    "union, "
-    "intersection, difference";
-
-bool is_operator(ObjectKind kind) {
-  return kind == ObjectKind::union_of || kind == ObjectKind::intersection ||
-         kind == ObjectKind::difference;
+const OperatorName* find_operator(std::string_view name) {
+  const auto* const found =
+      std::find_if(std::begin(k_operators), std::end(k_operators),
+                   [name](const OperatorName& each) { return each.name == name; });
+  return found == std::end(k_operators) ? nullptr : found;
 }
 
-const KindName* find_kind(std::string_view name) {
-  const auto* found = std::find_if(k_kinds.begin(), k_kinds.end(),
-                                   [&](const KindName& kind) { return kind.name == name; });
-  return found == k_kinds.end() ? nullptr : found;
+std::string_view name_of(BooleanOperator combination) {
+  return std::find_if(
+             std::begin(k_operators), std::end(k_operators),
+             [combination](const OperatorName& each) { return each.combination == combination; })
+      ->name;
+}
+
+/// The keys that say what an object is.
+std::vector<std::string_view> kind_names() {
+  std::vector<std::string_view> names;
+  for (const PrimitiveDescription* primitive : primitive_table()) {
+    names.push_back(primitive->name);
+  }
+  for (const OperatorName& each : k_operators) {
+    names.push_back(each.name);
+  }
+  return names;
+}
+
+std::string kind_list() {
+  std::string list;
+  for (const std::string_view name : kind_names()) {
+    list += (list.empty() ? "" : ", ") + std::string{name};
+  }
+  return list;
 }
 
 [[noreturn]] void fail(const YamlPlace& place, const std::string& message) {
@@ -81,56 +90,26 @@ class ObjectReader {
 const YamlEntry& kind_entry(const YamlNode& node) {
   const YamlEntry* found = nullptr;
   for (const YamlEntry& entry : node.entries) {
-    if (find_kind(entry.key) == nullptr) {
+    if (find_primitive(entry.key) == nullptr && find_operator(entry.key) == nullptr) {
       continue;
     }
     if (found != nullptr) {
-      fail(entry.place, "object: it is a " + found->key + " already; one of " +
-                            std::string{k_kind_list} + " is allowed");
+      fail(entry.place,
+           "object: it is a " + found->key + " already; one of " + kind_list() + " is allowed");
     }
     found = &entry;
   }
   if (found == nullptr) {
-    fail(node.place,
-         "object: what it is is missing; one of " + std::string{k_kind_list} + " is allowed");
+    fail(node.place, "object: what it is is missing; one of " + kind_list() + " is allowed");
   }
   return *found;
 }
 
 void check_object_keys(const YamlNode& node) {
   std::vector<std::string_view> allowed{"name", "surface", "place"};
-  for (const KindName& kind : k_kinds) {
-    allowed.push_back(kind.name);
-  }
+  const std::vector<std::string_view> kinds = kind_names();
+  allowed.insert(allowed.end(), kinds.begin(), kinds.end());
   check_keys(node, "object", allowed);
-}
-
-void check_sphere(const YamlNode& node) {
-  const YamlNode* radius = node.find("radius");
-  const YamlNode* radii = node.find("radii");
-  if ((radius == nullptr) == (radii == nullptr)) {
-    fail(radii == nullptr ? node.place : radii->place,
-         "sphere: one of radius, radii is allowed and needed");
-  }
-}
-
-void read_primitive(const YamlEntry& entry, Object& object) {
-  FieldReader reader{entry.value, entry.key};
-  declare_primitive(reader, object);
-  reader.finish();
-  if (object.kind == ObjectKind::sphere) {
-    check_sphere(entry.value);
-  } else if (const auto* revolution = std::get_if<RevolutionShape>(&object.shape)) {
-    check_revolution(*revolution, entry.value);
-  } else if (const auto* terrain = std::get_if<TerrainShape>(&object.shape)) {
-    check_terrain(*terrain, entry.value);
-  } else if (const auto* algebraic = std::get_if<AlgebraicShape>(&object.shape)) {
-    check_algebraic(*algebraic, entry.value);
-  } else if (const auto* prism = std::get_if<PrismShape>(&object.shape)) {
-    check_prism(*prism, entry.value);
-  } else if (const auto* patches = std::get_if<PatchesShape>(&object.shape)) {
-    check_patches(*patches, entry.value);
-  }
 }
 
 std::string ObjectReader::read_surface(const YamlNode& node) const {
@@ -164,7 +143,6 @@ Object ObjectReader::read(const YamlNode& node, const Surroundings& above) const
   }
   const YamlEntry& entry = kind_entry(node);
   Object object;
-  object.kind = find_kind(entry.key)->kind;
   object.position_in_file = node.place.position();
   Surroundings here{above.to_scene, above.has_surface, above.depth + 1};
   if (const YamlNode* name = node.find("name")) {
@@ -182,11 +160,13 @@ Object ObjectReader::read(const YamlNode& node, const Surroundings& above) const
       fail(place->place, "place: with those of the objects above it flattens the object");
     }
   }
-  if (is_operator(object.kind)) {
+  if (const OperatorName* combining = find_operator(entry.key)) {
+    object.combination = combining->combination;
     read_children(entry, here, object);
     return object;
   }
-  read_primitive(entry, object);
+  const PrimitiveDescription* description = find_primitive(entry.key);
+  object.primitive = Primitive{description, description->read(entry.value, entry.key)};
   if (!here.has_surface) {
     fail(node.place, "object: neither it nor an object above it has a surface");
   }
@@ -200,9 +180,6 @@ Object read_object(const YamlNode& node, const std::unordered_set<std::string_vi
 }
 
 YamlNode write_object(const Object& object) {
-  const auto* kind = std::find_if(k_kinds.begin(), k_kinds.end(), [&](const KindName& candidate) {
-    return candidate.kind == object.kind;
-  });
   YamlNode node = yaml_mapping();
   if (!object.name.empty()) {
     append(node, "name", yaml_scalar(object.name));
@@ -213,19 +190,17 @@ YamlNode write_object(const Object& object) {
   if (object.placement != Placement{1.0}) {
     append(node, "place", write_placement(object.placement));
   }
-  if (is_operator(object.kind)) {
-    std::vector<YamlNode> children;
-    children.reserve(object.children.size());
-    for (const Object& child : object.children) {
-      children.push_back(write_object(child));
-    }
-    append(node, kind->name, yaml_sequence(std::move(children)));
+  if (object.primitive) {
+    const PrimitiveDescription& description = *object.primitive->description;
+    append(node, std::string{description.name}, description.write(object.primitive->shape));
     return node;
   }
-  Object primitive = object;
-  FieldWriter writer;
-  declare_primitive(writer, primitive);
-  append(node, kind->name, writer.take());
+  std::vector<YamlNode> children;
+  children.reserve(object.children.size());
+  for (const Object& child : object.children) {
+    children.push_back(write_object(child));
+  }
+  append(node, std::string{name_of(object.combination)}, yaml_sequence(std::move(children)));
   return node;
 }
 

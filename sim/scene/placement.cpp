@@ -109,6 +109,20 @@ Placement concatenated(const Placement& outer, const Placement& inner) {
   return result;
 }
 
+Placement inverse_of(const Placement& placement) {
+  const Vector3& x = placement[0];
+  const Vector3& y = placement[1];
+  const Vector3& z = placement[2];
+  const double determinant = glm::dot(x, glm::cross(y, z));
+  const Vector3 row_x = glm::cross(y, z) / determinant;
+  const Vector3 row_y = glm::cross(z, x) / determinant;
+  const Vector3 row_z = glm::cross(x, y) / determinant;
+  const Vector3 origin(-glm::dot(row_x, placement[3]), -glm::dot(row_y, placement[3]),
+                       -glm::dot(row_z, placement[3]));
+  return {row_x.x, row_y.x, row_z.x, row_x.y,  row_y.y,  row_z.y,
+          row_x.z, row_y.z, row_z.z, origin.x, origin.y, origin.z};
+}
+
 bool is_singular(const Placement& placement) {
   constexpr double k_least_volume = 1e-12;
   const double lengths =

@@ -8,6 +8,9 @@ namespace maquette::sim {
 /// The placement that first applies `inner` and then `outer`.
 [[nodiscard]] Placement concatenated(const Placement& outer, const Placement& inner);
 
+/// The inverse of an affine placement that is not singular.
+[[nodiscard]] Placement inverse_of(const Placement& placement);
+
 /// Whether a placement flattens space, or so nearly that its inverse would be noise: its
 /// determinant is below 1e-12 of the product of its columns' lengths; also when one of its elements
 /// is beyond 1e30 or no number.

@@ -1,25 +1,16 @@
 #pragma once
 
-#include <array>
-#include <glm/mat4x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "sim/primitives/algebraic_shape.hpp"
-#include "sim/primitives/patches_shape.hpp"
-#include "sim/primitives/prism_shape.hpp"
-#include "sim/primitives/revolution_shape.hpp"
-#include "sim/primitives/terrain_shape.hpp"
+#include "sim/primitives/primitive.hpp"
 #include "sim/yaml/source_position.hpp"
 
 namespace maquette::sim {
 
-using Vector3 = glm::dvec3;
-using Color = glm::dvec3;        ///< red, green, blue; linear
-using Placement = glm::dmat4x3;  ///< affine: columns are the images of x, y, z and the origin
+using Color = glm::dvec3;  ///< red, green, blue; linear
 
 /// The screen as a rectangle in front of the eye, in scene units.
 struct Screen {
@@ -62,39 +53,14 @@ struct Surface {
   SourcePosition position_in_file;
 };
 
-enum class ObjectKind {
-  half_space,
-  box,
-  sphere,
-  cylinder,
-  cone,
-  revolution,
-  terrain,
-  algebraic,
-  prism,
-  patches,
-  union_of,
-  intersection,
-  difference
-};
-
-/// What some primitives need besides sizes; the alternative goes with the kind of the object.
-using Shape = std::variant<std::monostate, RevolutionShape, TerrainShape, AlgebraicShape,
-                           PrismShape, PatchesShape>;
-
-/// A node of the object tree. Primitives: half_space is z <= 0; box is centred on the origin;
-/// sphere is centred; cylinder and cone stand on z = 0 with their axis along z.
+/// A node of the object tree: a primitive or an operator with its operands.
 struct Object {
-  ObjectKind kind = ObjectKind::sphere;
-  std::string name;              ///< may be empty
-  Placement placement{1.0};      ///< to the frame of the parent
-  std::string surface;           ///< name; empty: the parent's
-  Vector3 size{1, 1, 1};         ///< of a box: edge lengths; of a sphere: its three radii
-  double radius = 1;             ///< of a cylinder; of a cone at its base
-  double top_radius = 0;         ///< of a cone; 0 is a pointed one
-  double height = 1;             ///< of a cylinder or cone
-  Shape shape;                   ///< of a primitive with more to say
-  std::vector<Object> children;  ///< of operators; two or more
+  std::string name;                    ///< may be empty
+  Placement placement{1.0};            ///< to the frame of the parent
+  std::string surface;                 ///< name; empty: the parent's
+  std::optional<Primitive> primitive;  ///< of a leaf
+  firmware::BooleanOperator combination = firmware::BooleanOperator::union_of;  ///< of the children
+  std::vector<Object> children;  ///< of an operator; two or more
   SourcePosition position_in_file;
 };
 

@@ -15,23 +15,28 @@ namespace {
                          std::string{key} + ": " + message);
 }
 
+/// Empty where nothing speaks against a transparent surface.
+std::string_view why_opaque(const Object& object) {
+  return object.primitive ? object.primitive->description->why_opaque(object.primitive->shape)
+                          : std::string_view{};
+}
+
 /// Looks below an object whose surface, where it names none, is that of the objects above it.
-void check_sheets_below(const Object& object, const std::string& surface_above,
+void check_opaque_below(const Object& object, const std::string& surface_above,
                         const std::vector<Surface>& surfaces) {
   const std::string& name = object.surface.empty() ? surface_above : object.surface;
-  const auto* patches = std::get_if<PatchesShape>(&object.shape);
-  if (patches != nullptr && !patches->solid) {
+  const std::string_view reason = why_opaque(object);
+  if (!reason.empty()) {
     const auto surface = std::find_if(surfaces.begin(), surfaces.end(),
                                       [&](const Surface& s) { return s.name == name; });
     if (surface != surfaces.end() && surface->transparent) {
       throw DescriptionError(object.position_in_file,
-                             "patches: the surface `" + name +
-                                 "` is transparent, but patches without thickness hold no matter; "
-                                 "an opaque surface or `solid: true` is allowed");
+                             std::string{object.primitive->description->name} + ": the surface `" +
+                                 name + "` is transparent, but " + std::string{reason});
     }
   }
   for (const Object& child : object.children) {
-    check_sheets_below(child, name, surfaces);
+    check_opaque_below(child, name, surfaces);
   }
 }
 
@@ -49,8 +54,8 @@ double most_rays(const RayTree& tree) {
 
 }  // namespace
 
-void check_sheets(const Scene& scene) {
-  check_sheets_below(scene.object, scene.object.surface, scene.surfaces);
+void check_opaque(const Scene& scene) {
+  check_opaque_below(scene.object, scene.object.surface, scene.surfaces);
 }
 
 void check_view(const View& view, const YamlNode& node) {

@@ -10,8 +10,8 @@ namespace maquette::sim {
 void check_view(const View& view, const YamlNode& node);
 void check_surface(const Surface& surface, const YamlNode& node);
 
-/// Patches without thickness need an opaque surface.
-void check_sheets(const Scene& scene);
+/// What holds no matter needs an opaque surface.
+void check_opaque(const Scene& scene);
 /// Refuses a tree of rays that would hardly end: between transparent bodies each ray is followed by
 /// two, as far as depth and weight allow. `node` is that of the scene.
 void check_ray_tree(const Scene& scene, const YamlNode& node);

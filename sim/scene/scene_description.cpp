@@ -116,7 +116,7 @@ Scene read_scene(const YamlNode& root) {
   reader.allow("machine");
   reader.finish();
   check_view(scene.view, nearest_node(root, "view"));
-  check_sheets(scene);
+  check_opaque(scene);
   check_ray_tree(scene, root);
   return scene;
 }

@@ -4,11 +4,6 @@
 
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
-#include "sim/primitives/algebraic_fields.hpp"
-#include "sim/primitives/patches_fields.hpp"
-#include "sim/primitives/prism_fields.hpp"
-#include "sim/primitives/revolution_fields.hpp"
-#include "sim/primitives/terrain_fields.hpp"
 #include "sim/scene/scene.hpp"
 
 /// Every parameter of a scene besides its object tree, declared once.
@@ -18,7 +13,6 @@ inline constexpr TripleType k_point{{-k_largest_length, k_largest_length}};
 inline constexpr TripleType k_intensity{{0, 1e6}, true};
 inline constexpr TripleType k_reflectance{{0, 1}, true};
 inline constexpr TripleType k_optical_constant{{0, 100}, true};
-inline constexpr RealType k_length{RealDimension::number, {0, k_largest_length, true}};
 
 template <class Visitor>
 void declare_screen(Visitor& visitor, Screen& screen) {
@@ -113,73 +107,6 @@ void declare_scene(Visitor& visitor, Scene& scene) {
                 [&] { declare_ray_tree(visitor, scene.ray_tree); });
   visitor.group({"roots", "how near numerical solutions come to the exact ones"},
                 [&] { declare_roots(visitor, scene.roots); });
-}
-
-/// A sphere gives `radius`, an ellipsoid `radii`.
-template <class Visitor>
-void declare_sphere(Visitor& visitor, Object& object) {
-  const bool is_round = object.size.x == object.size.y && object.size.y == object.size.z;
-  std::optional<double> radius;
-  std::optional<Vector3> radii;
-  if (is_round) {
-    radius = object.size.x;
-  } else {
-    radii = object.size;
-  }
-  visitor.field({"radius", "of the sphere"}, radius, k_length);
-  visitor.field({"radii", "of an ellipsoid, along x, y, z"}, radii,
-                TripleType{{0, k_largest_length, true}});
-  object.size = radii ? *radii : Vector3{radius.value_or(1)};
-}
-
-/// The object's shape, made if it has none yet.
-template <class Kind>
-Kind& shape_of(Object& object) {
-  if (!std::holds_alternative<Kind>(object.shape)) {
-    object.shape = Kind{};
-  }
-  return std::get<Kind>(object.shape);
-}
-
-/// The size of a primitive; operators have none.
-template <class Visitor>
-void declare_primitive(Visitor& visitor, Object& object) {
-  switch (object.kind) {
-    case ObjectKind::box:
-      visitor.field(required("size", "edge lengths along x, y, z"), object.size,
-                    TripleType{{0, k_largest_length, true}, true});
-      break;
-    case ObjectKind::sphere:
-      declare_sphere(visitor, object);
-      break;
-    case ObjectKind::cylinder:
-      visitor.field(required("radius", "of the cylinder"), object.radius, k_length);
-      visitor.field(required("height", "along z"), object.height, k_length);
-      break;
-    case ObjectKind::cone:
-      visitor.field(required("radius", "at z = 0"), object.radius, k_length);
-      visitor.field({"top_radius", "at z = height; 0 is a pointed cone"}, object.top_radius,
-                    RealType{RealDimension::number, {0, k_largest_length}});
-      visitor.field(required("height", "along z"), object.height, k_length);
-      break;
-    case ObjectKind::revolution:
-      declare_revolution(visitor, shape_of<RevolutionShape>(object));
-      break;
-    case ObjectKind::terrain:
-      declare_terrain(visitor, shape_of<TerrainShape>(object));
-      break;
-    case ObjectKind::algebraic:
-      declare_algebraic(visitor, shape_of<AlgebraicShape>(object));
-      break;
-    case ObjectKind::prism:
-      declare_prism(visitor, shape_of<PrismShape>(object));
-      break;
-    case ObjectKind::patches:
-      declare_patches(visitor, shape_of<PatchesShape>(object));
-      break;
-    default:
-      break;
-  }
 }
 
 }  // namespace maquette::sim

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/database/local_frame.hpp"
+#include "sim/primitives/box.hpp"
+#include "sim/primitives/primitive_table.hpp"
 #include "sim/scene/placement.hpp"
 #include "sim/stability/random_tree.hpp"
 #include "sim/stability/tally.hpp"
@@ -14,7 +15,7 @@ namespace maquette::sim {
 
 namespace {
 
-using firmware::PrimitiveKind;
+using firmware::BooleanOperator;
 using trial::Random;
 
 constexpr const char* k_group = "csg";
@@ -70,19 +71,16 @@ Placement rounded_otherwise(Random& random, Placement placement) {
 }
 
 /// A rotation about z that maps every solid of a primitive onto itself; 0 where there is none.
-double own_rotation(Random& random, PrimitiveKind kind) {
-  switch (kind) {
-    case PrimitiveKind::box:
-      return k_pi / 2;
-    case PrimitiveKind::half_space:
-    case PrimitiveKind::sphere:
-    case PrimitiveKind::cylinder:
-    case PrimitiveKind::cone:
-    case PrimitiveKind::revolution:
-      return random.uniform(0, 2 * k_pi);
-    default:
+double own_rotation(Random& random, OwnTurns turns) {
+  switch (turns) {
+    case OwnTurns::none:
       return 0;
+    case OwnTurns::quarters:
+      return k_pi / 2;
+    case OwnTurns::all:
+      return random.uniform(0, 2 * k_pi);
   }
+  return 0;
 }
 
 /// The origin of a ray in a direction at a target near a body: within the scene, which reaches from
@@ -147,7 +145,7 @@ void try_without_itself(Random& random, const SolidFamily& family, SkinTally& ta
   const Place place = random_place(random);
   const Object body = random_solid(random, family, place.placement);
   Object other = body;
-  const double angle = own_rotation(random, family.kind);
+  const double angle = own_rotation(random, description_of(family.kind).own_turns);
   if (angle != 0 && random.coin()) {
     const Placement turned = concatenated(place.placement, trial::turned({0, 0, 1}, angle));
     other.placement =
@@ -156,7 +154,7 @@ void try_without_itself(Random& random, const SolidFamily& family, SkinTally& ta
     other.placement = rounded_otherwise<Real>(random, body.placement);
   }
   TrialScene<Real> whole(scene_of(body));
-  TrialScene<Real> rest(scene_of(combined(ObjectKind::difference, {body, other})));
+  TrialScene<Real> rest(scene_of(combined(BooleanOperator::difference, {body, other})));
   for (int ray = 0; ray < k_rays_per_body; ++ray) {
     try_nothing(random, whole, rest, place, tally);
   }
@@ -164,8 +162,7 @@ void try_without_itself(Random& random, const SolidFamily& family, SkinTally& ta
 
 Object cube_at(const Placement& placement) {
   Object cube;
-  cube.kind = ObjectKind::box;
-  cube.size = {2, 2, 2};
+  cube.primitive = primitive_of(BoxShape{{2, 2, 2}});
   cube.surface = k_trial_surfaces[0];
   cube.placement = placement;
   return cube;
@@ -193,9 +190,9 @@ void try_touching(Random& random, TouchTally& tally) {
   const Object one = cube_at(place.placement);
   const Object other = cube_at(concatenated(place.placement, trial::moved({2, 0, 0})));
   TrialScene<Real> alone(scene_of(one));
-  TrialScene<Real> both(scene_of(combined(ObjectKind::union_of, {one, other})));
-  TrialScene<Real> common(scene_of(combined(ObjectKind::intersection, {one, other})));
-  TrialScene<Real> rest(scene_of(combined(ObjectKind::difference, {one, other})));
+  TrialScene<Real> both(scene_of(combined(BooleanOperator::union_of, {one, other})));
+  TrialScene<Real> common(scene_of(combined(BooleanOperator::intersection, {one, other})));
+  TrialScene<Real> rest(scene_of(combined(BooleanOperator::difference, {one, other})));
   const Vector3 across = place.placement[0] / glm::length(place.placement[0]);
   for (int ray = 0; ray < k_rays_per_body; ++ray) {
     const Vector3 aim = firmware::transform_point(place.placement, Vector3(1, 0, 0)) +

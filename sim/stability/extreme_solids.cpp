@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/primitives/revolution.hpp"
 #include "sim/stability/tally.hpp"
 #include "sim/stability/trial_ray.hpp"
 
@@ -60,9 +61,8 @@ std::vector<StabilityRow> rows_of(const std::string& subject, const SolidTally& 
 
 Object revolved(std::vector<glm::dvec2> points, bool closed) {
   Object object;
-  object.kind = ObjectKind::revolution;
   object.surface = k_trial_surfaces[0];
-  object.shape = RevolutionShape{std::move(points), closed, {}};
+  object.primitive = primitive_of(RevolutionShape{std::move(points), closed, {}});
   return object;
 }
 

@@ -7,9 +7,9 @@
 
 namespace maquette::sim {
 
-Object combined(ObjectKind combination, std::vector<Object> children) {
+Object combined(firmware::BooleanOperator combination, std::vector<Object> children) {
   Object object;
-  object.kind = combination;
+  object.combination = combination;
   object.children = std::move(children);
   return object;
 }
@@ -17,8 +17,9 @@ Object combined(ObjectKind combination, std::vector<Object> children) {
 Object random_tree(trial::Random& random, const std::vector<SolidFamily>& families, int solids,
                    const Vector3& center, double spread) {
   constexpr double k_axis_ratio = 4;
-  constexpr ObjectKind k_operators[] = {ObjectKind::union_of, ObjectKind::intersection,
-                                        ObjectKind::difference};
+  constexpr firmware::BooleanOperator k_operators[] = {firmware::BooleanOperator::union_of,
+                                                       firmware::BooleanOperator::intersection,
+                                                       firmware::BooleanOperator::difference};
   std::vector<Object> objects;
   for (int i = 0; i < solids; ++i) {
     const auto family = static_cast<std::size_t>(random.below(static_cast<int>(families.size())));

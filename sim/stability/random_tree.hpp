@@ -7,7 +7,7 @@
 namespace maquette::sim {
 
 /// An operator over objects.
-[[nodiscard]] Object combined(ObjectKind combination, std::vector<Object> children);
+[[nodiscard]] Object combined(firmware::BooleanOperator combination, std::vector<Object> children);
 
 /// Solids of all families around a place, within about `spread` of it, of the trial surfaces,
 /// combined at random two by two.

@@ -4,20 +4,14 @@
 
 #include "firmware/extent.hpp"
 #include "firmware/primitives/primitive_table.hpp"
-#include "sim/database/local_frame.hpp"
-#include "sim/database/needs.hpp"
 #include "sim/database/object_tree.hpp"
+#include "sim/primitives/primitive_table.hpp"
 #include "sim/scene/placement.hpp"
 #include "sim/stability/trial_scene.hpp"
 
 namespace maquette::sim {
 
 namespace {
-
-/// The name of a primitive as the needs of a scene have it.
-std::string name_of(firmware::PrimitiveKind kind) {
-  return named_needs({})[static_cast<std::size_t>(kind)].name;
-}
 
 /// Brings the middle of a box to the origin and its longest half edge to 1.
 Placement into_unit_cube(const firmware::Box<double>& box) {
@@ -45,14 +39,12 @@ void add_solid(Object solid, std::vector<SolidFamily>& families) {
   family.solids.push_back(std::move(solid));
 }
 
-/// Patches without thickness hold no matter.
-bool is_solid(const Object& primitive) {
-  const auto* patches = std::get_if<PatchesShape>(&primitive.shape);
-  return patches == nullptr || patches->solid;
+bool is_solid(const Primitive& primitive) {
+  return primitive.description->why_opaque(primitive.shape).empty();
 }
 
 void add_solids(const Object& object, std::vector<SolidFamily>& families) {
-  if (object.children.empty() && is_solid(object)) {
+  if (object.primitive && is_solid(*object.primitive)) {
     add_solid(object, families);
   }
   for (const Object& child : object.children) {
@@ -71,7 +63,7 @@ std::vector<SolidFamily> solid_families(const std::vector<ShippedScene>& scenes)
                                 [](const SolidFamily& family) { return family.solids.empty(); }),
                  families.end());
   for (SolidFamily& family : families) {
-    family.name = name_of(family.kind);
+    family.name = description_of(family.kind).name;
   }
   return families;
 }

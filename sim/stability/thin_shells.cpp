@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "firmware/primitives/primitive_table.hpp"
-#include "sim/database/local_frame.hpp"
 #include "sim/scene/placement.hpp"
 #include "sim/stability/random_tree.hpp"
 #include "sim/stability/tally.hpp"
@@ -73,7 +72,7 @@ void try_shell(Random& random, const SolidFamily& family, double thickness, Shel
       concatenated(placement, concatenated(trial::scaled({inner, inner, inner}),
                                            concatenated(inverse_of(placement), outer.placement)));
   TrialScene<double> whole(scene_of(outer));
-  TrialScene<Real> shell(scene_of(combined(ObjectKind::difference, {outer, core})));
+  TrialScene<Real> shell(scene_of(combined(firmware::BooleanOperator::difference, {outer, core})));
   for (int ray = 0; ray < k_rays_per_shell; ++ray) {
     const double way = size * random.magnitude(3, 30);
     try_ray(shell, whole, center, random.direction(), way, thickness, tally);

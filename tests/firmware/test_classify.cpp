@@ -82,16 +82,16 @@ TEMPLATE_TEST_CASE("Chords give the volume and the area of every primitive", "",
       return model.add(kind, placement, 0, parameter);
     };
   };
-  check_body<TestType>(single(PrimitiveKind::box, 0), 1.8, 8, 24);
-  check_body<TestType>(single(PrimitiveKind::sphere, 0), 1.2, 4 * k_pi / 3, 4 * k_pi);
-  check_body<TestType>(single(PrimitiveKind::cylinder, 0), 1.5, 2 * k_pi, 6 * k_pi);
+  check_body<TestType>(single(kind_of<box::Kind>, 0), 1.8, 8, 24);
+  check_body<TestType>(single(kind_of<sphere::Kind>, 0), 1.2, 4 * k_pi / 3, 4 * k_pi);
+  check_body<TestType>(single(kind_of<cylinder::Kind>, 0), 1.5, 2 * k_pi, 6 * k_pi);
   for (const double top : {0.0, 0.3, 0.9}) {
-    check_body<TestType>(single(PrimitiveKind::cone, top), 1.5, k_pi * (1 - top * top * top) / 3,
+    check_body<TestType>(single(kind_of<cone::Kind>, top), 1.5, k_pi * (1 - top * top * top) / 3,
                          k_pi * (1 + top * top + std::sqrt(2.0) * (1 - top * top)));
   }
   const auto half_ball = [](Model& model, const Placement& placement) {
-    const NodeIndex ball = model.add(PrimitiveKind::sphere, placement);
-    const NodeIndex half = model.add(PrimitiveKind::half_space, placement);
+    const NodeIndex ball = model.add(kind_of<sphere::Kind>, placement);
+    const NodeIndex half = model.add(kind_of<half_space::Kind>, placement);
     return model.combine(BooleanOperator::intersection, half, ball);
   };
   check_body<TestType>(half_ball, 1.2, 2 * k_pi / 3, 3 * k_pi);
@@ -126,7 +126,7 @@ TEMPLATE_TEST_CASE("Chords give the volume and the area of two overlapping spher
   const double apart = 0.8;
   const double lens = k_pi * (4 + apart) * (2 - apart) * (2 - apart) / 12;
   const double cap = 2 * k_pi * (1 - apart / 2);
-  const PrimitiveKind ball = PrimitiveKind::sphere;
+  const PrimitiveKind ball = kind_of<sphere::Kind>;
   const Placement shift = trial::moved({0, apart, 0});
   check_body<TestType>(pair_of(BooleanOperator::union_of, ball, ball, shift), 2,
                        8 * k_pi / 3 - lens, 8 * k_pi - 2 * cap);
@@ -136,8 +136,8 @@ TEMPLATE_TEST_CASE("Chords give the volume and the area of two overlapping spher
 }
 
 TEMPLATE_TEST_CASE("Coincident faces leave neither skin nor hole", "", float, double) {
-  const PrimitiveKind box = PrimitiveKind::box;
-  const PrimitiveKind cylinder = PrimitiveKind::cylinder;
+  const PrimitiveKind box = kind_of<box::Kind>;
+  const PrimitiveKind cylinder = kind_of<cylinder::Kind>;
   const double r = 0.5;
   const Placement flush_bore = trial::scaled({r, r, 1});
   check_body<TestType>(pair_of(BooleanOperator::difference, box, cylinder, flush_bore), 1.8,
@@ -181,11 +181,11 @@ TEMPLATE_TEST_CASE("A body turned onto itself vanishes by difference", "", float
   const Placement turn = trial::turned({0, 0, 1}, 0.7);
   // Rays that nearly lie in a face may still see it.
   constexpr int k_grazing = k_skin_rays / 10000;
-  CHECK(skins<TestType>(without, PrimitiveKind::box, quarter) <= k_grazing);
-  CHECK(skins<TestType>(without, PrimitiveKind::sphere, turn) <= k_grazing);
-  CHECK(skins<TestType>(without, PrimitiveKind::cylinder, turn) <= k_grazing);
-  CHECK(skins<TestType>(without, PrimitiveKind::cone, turn) <= k_grazing);
-  CHECK(skins<TestType>(BooleanOperator::intersection, PrimitiveKind::box,
+  CHECK(skins<TestType>(without, kind_of<box::Kind>, quarter) <= k_grazing);
+  CHECK(skins<TestType>(without, kind_of<sphere::Kind>, turn) <= k_grazing);
+  CHECK(skins<TestType>(without, kind_of<cylinder::Kind>, turn) <= k_grazing);
+  CHECK(skins<TestType>(without, kind_of<cone::Kind>, turn) <= k_grazing);
+  CHECK(skins<TestType>(BooleanOperator::intersection, kind_of<box::Kind>,
                         trial::moved({2, 0, 0})) <= k_grazing);
 }
 
@@ -193,8 +193,8 @@ TEST_CASE("Where the first operand is missed the second is not looked at") {
   const Vector<double> towards(0, 0, 1);
   const auto work_of = [&](BooleanOperator combination, double first_at) {
     Model model;
-    const NodeIndex first = model.add(PrimitiveKind::sphere, trial::moved({first_at, 0, 10}));
-    const NodeIndex second = model.add(PrimitiveKind::sphere, trial::moved({0.1, 0, 10}));
+    const NodeIndex first = model.add(kind_of<sphere::Kind>, trial::moved({first_at, 0, 10}));
+    const NodeIndex second = model.add(kind_of<sphere::Kind>, trial::moved({0.1, 0, 10}));
     BuiltFrame<Counted> built(model, model.combine(combination, first, second));
     built.open_extents();
     const auto query = trial::unit_query<Counted>({0, 0, 0}, towards);

@@ -43,7 +43,7 @@ TEST_CASE("The depth of a pixel is that of the nearest sphere, whatever shines o
     for (int k = 0; k < 2; ++k) {
       const auto place = concatenate(trial::moved(centers[k]),
                                      trial::scaled(Vector<double>(radii[k], radii[k], radii[k])));
-      children[k] = model.add(PrimitiveKind::sphere, place, k == 0 && random.coin() ? glass : 0);
+      children[k] = model.add(kind_of<sphere::Kind>, place, k == 0 && random.coin() ? glass : 0);
     }
     BuiltFrame<double> built(model,
                              model.combine(BooleanOperator::union_of, children[0], children[1]));
@@ -70,13 +70,13 @@ TEST_CASE("The depth of a pixel is that of the nearest sphere, whatever shines o
 TEST_CASE("Depths use the whole range of codes, and endless matter has them too") {
   Model model = model_with_depth();
   const auto place = concatenate(trial::moved({0, 0, 10}), trial::scaled({4, 4, 4}));
-  BuiltFrame<double> ball(model, model.add(PrimitiveKind::sphere, place));
+  BuiltFrame<double> ball(model, model.add(kind_of<sphere::Kind>, place));
   CHECK(ball.pixel(32, 24).depth < 100);
 
   Model wall = model_with_depth();
   wall.from_screen = trial::moved({0, 0, -10});
   BuiltFrame<double> endless(
-      wall, wall.add(PrimitiveKind::half_space, trial::turned({1, 0, 0}, std::acos(-1.0))));
+      wall, wall.add(kind_of<half_space::Kind>, trial::turned({1, 0, 0}, std::acos(-1.0))));
   const int code = endless.pixel(32, 24).depth;
   CHECK(code > 0);
   CHECK(code <= k_full_depth);
@@ -85,7 +85,7 @@ TEST_CASE("Depths use the whole range of codes, and endless matter has them too"
 TEST_CASE("Without a need for it no depth is computed and nothing is charged for it") {
   Model model;
   const auto place = concatenate(trial::moved({0, 0, 10}), trial::scaled({4, 4, 4}));
-  const NodeIndex root = model.add(PrimitiveKind::sphere, place);
+  const NodeIndex root = model.add(kind_of<sphere::Kind>, place);
   BuiltFrame<float> without(model, root);
   CHECK(without.pixel(32, 24).depth == 0);
   model.needs.depth = true;

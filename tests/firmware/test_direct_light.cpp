@@ -18,7 +18,7 @@ constexpr double k_pi = elementary::k_pi;
 struct Scene {
   explicit Scene(const Surface<double>& surface) {
     model.surfaces = {surface};
-    const NodeIndex root = model.add(PrimitiveKind::half_space, trial::unmoved());
+    const NodeIndex root = model.add(kind_of<half_space::Kind>, trial::unmoved());
     built = std::make_unique<BuiltFrame<double>>(model, root);
     point.normal = {0, 0, 1};
     point.before = k_void;

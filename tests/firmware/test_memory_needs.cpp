@@ -59,9 +59,9 @@ TEST_CASE("No ray needs more room than the work areas have") {
 TEST_CASE("A chain that uses all of the space keeps within it") {
   // Bars one behind the other, each of its own combination on the second side.
   Model model;
-  NodeIndex root = model.add(PrimitiveKind::sphere, trial::moved({0, 0, 40}));
+  NodeIndex root = model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 40}));
   for (int i = 9; i > 0; --i) {
-    const NodeIndex bar = model.add(PrimitiveKind::sphere, trial::moved({0, 0, 4.0 * i}));
+    const NodeIndex bar = model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 4.0 * i}));
     root = model.combine(BooleanOperator::union_of, bar, root);
   }
   BuiltFrame<float> built(model, root);

@@ -115,7 +115,7 @@ TEMPLATE_TEST_CASE("Pictures with shadows and glass do not depend on how unions 
 TEST_CASE("A ray in opaque matter sees the end of all that overlaps") {
   Model model;
   const auto ball = [&model](double depth, double radius) {
-    return model.add(PrimitiveKind::sphere, concatenate(trial::moved({0, 0, depth}),
+    return model.add(kind_of<sphere::Kind>, concatenate(trial::moved({0, 0, depth}),
                                                         trial::scaled(Vector<double>(radius))));
   };
   const NodeIndex around = ball(0, 2);
@@ -131,10 +131,10 @@ TEST_CASE("A ray in opaque matter sees the end of all that overlaps") {
 
 TEST_CASE("What lies behind the first opaque body costs nothing") {
   Model model;
-  NodeIndex row = model.add(PrimitiveKind::sphere, trial::moved({0, 0, 5}));
+  NodeIndex row = model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 5}));
   for (int i = 1; i < 40; ++i) {
     row = model.combine(BooleanOperator::union_of, row,
-                        model.add(PrimitiveKind::sphere, trial::moved({0, 0, 5.0 + 3 * i})));
+                        model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 5.0 + 3 * i})));
   }
   BuiltFrame<double> built(model, row);
   const RayQuery<double> query = trial::unit_query<double>({0, 0, 0}, {0, 0, 1});

@@ -79,8 +79,8 @@ TEST_CASE("Rectangles and spheres are tight around a single body") {
   Model model;
   model.columns = 64;
   model.rows = 64;
-  const NodeIndex box = model.add(PrimitiveKind::box, trial::moved({0, 0, 9}));
-  const NodeIndex ball = model.add(PrimitiveKind::sphere, trial::moved({0, 0, 9}));
+  const NodeIndex box = model.add(kind_of<box::Kind>, trial::moved({0, 0, 9}));
+  const NodeIndex ball = model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 9}));
   BuiltFrame<double> built(model, model.combine(BooleanOperator::union_of, box, ball));
   // The near face is 8 away: half of it is 1/8 of a screen that is 1 high, thus 8 pixels.
   const Rectangle& rectangle = built.frame.prepared.extents[box].rectangle;
@@ -94,9 +94,9 @@ TEST_CASE("Rectangles and spheres are tight around a single body") {
 
 TEST_CASE("Operators narrow extents: a difference to its first operand, an intersection to both") {
   Model model;
-  const NodeIndex wall = model.add(PrimitiveKind::box, trial::moved({-1, 0, 9}));
-  const NodeIndex ball = model.add(PrimitiveKind::sphere, trial::moved({1, 0, 9}));
-  const NodeIndex ground = model.add(PrimitiveKind::half_space, trial::unmoved());
+  const NodeIndex wall = model.add(kind_of<box::Kind>, trial::moved({-1, 0, 9}));
+  const NodeIndex ball = model.add(kind_of<sphere::Kind>, trial::moved({1, 0, 9}));
+  const NodeIndex ground = model.add(kind_of<half_space::Kind>, trial::unmoved());
   model.combine(BooleanOperator::difference, wall, ball);
   model.combine(BooleanOperator::intersection, wall, ball);
   model.combine(BooleanOperator::union_of, wall, ball);

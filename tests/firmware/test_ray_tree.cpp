@@ -34,7 +34,7 @@ Spawned<double> spawned_at(const Surface<double>& surface, const Vector<double>&
   Model model;
   model.surfaces = {surface};
   model.minimum_weight = minimum_weight;
-  BuiltFrame<double> built(model, model.add(PrimitiveKind::sphere, trial::unmoved()));
+  BuiltFrame<double> built(model, model.add(kind_of<sphere::Kind>, trial::unmoved()));
   SurfacePoint<double> point{};
   point.normal = normal;
   point.before = from_inside ? 0 : k_void;
@@ -139,8 +139,8 @@ TEST_CASE("A lit wall is seen through a slab by exp(-a t) (1 - F)^2") {
   model.ray_depth = 2;  // without the light that goes to and fro
   const SurfaceIndex glass = model.add(trial::glass_surface(index, absorption));
   const NodeIndex slab =
-      model.add(PrimitiveKind::box, box_between({-5, -5, 3}, {5, 5, 3 + thickness}), glass);
-  const NodeIndex wall = model.add(PrimitiveKind::box, box_between({-50, -50, 6}, {50, 50, 7}));
+      model.add(kind_of<box::Kind>, box_between({-5, -5, 3}, {5, 5, 3 + thickness}), glass);
+  const NodeIndex wall = model.add(kind_of<box::Kind>, box_between({-50, -50, 6}, {50, 50, 7}));
   const Color<double> seen =
       seen_along_axis(model, model.combine(BooleanOperator::union_of, slab, wall));
   const double passage = std::pow(1 - frontal_reflection(index), 2);
@@ -159,8 +159,8 @@ TEST_CASE("With depth the slab's inner reflections are seen too, and no more tha
   model.ray_depth = 30;
   model.minimum_weight = 1e-12;
   const SurfaceIndex glass = model.add(trial::glass_surface(index));
-  const NodeIndex slab = model.add(PrimitiveKind::box, box_between({-5, -5, 3}, {5, 5, 4}), glass);
-  const NodeIndex wall = model.add(PrimitiveKind::box, box_between({-50, -50, 6}, {50, 50, 7}));
+  const NodeIndex slab = model.add(kind_of<box::Kind>, box_between({-5, -5, 3}, {5, 5, 4}), glass);
+  const NodeIndex wall = model.add(kind_of<box::Kind>, box_between({-50, -50, 6}, {50, 50, 7}));
   const Color<double> seen =
       seen_along_axis(model, model.combine(BooleanOperator::union_of, slab, wall));
   CHECK(seen.x == Approx(1).epsilon(1e-9));
@@ -197,8 +197,8 @@ TEST_CASE("A half-space of glass has no bottom") {
   const SurfaceIndex ink = model.add(trial::glass_surface(1.33, {1, 1, 1}));
   const Placement facing =
       concatenate(trial::moved({0, 0, 5}), trial::turned({1, 0, 0}, elementary::k_pi));
-  const NodeIndex sea = model.add(PrimitiveKind::half_space, facing, water);
-  const NodeIndex black_sea = model.add(PrimitiveKind::half_space, facing, ink);
+  const NodeIndex sea = model.add(kind_of<half_space::Kind>, facing, water);
+  const NodeIndex black_sea = model.add(kind_of<half_space::Kind>, facing, ink);
   const Color<double> seen = seen_along_axis(model, sea);
   CHECK(seen.x == Approx(0.25));
   CHECK(seen.y == Approx(0.5));
@@ -213,8 +213,8 @@ TEST_CASE("A mirror shows what stands behind the viewer") {
   const SurfaceIndex silver = model.add(trial::mirror_surface());
   const Surface<double>& metal = model.surfaces[silver];
   const NodeIndex mirror =
-      model.add(PrimitiveKind::box, box_between({-5, -5, 3}, {5, 5, 4}), silver);
-  const NodeIndex wall = model.add(PrimitiveKind::box, box_between({-9, -9, -7}, {9, 9, -6}));
+      model.add(kind_of<box::Kind>, box_between({-5, -5, 3}, {5, 5, 4}), silver);
+  const NodeIndex wall = model.add(kind_of<box::Kind>, box_between({-9, -9, -7}, {9, 9, -6}));
   const Color<double> reflected(conductor_reflection(1.0, metal.index.x, metal.extinction.x),
                                 conductor_reflection(1.0, metal.index.y, metal.extinction.y),
                                 conductor_reflection(1.0, metal.index.z, metal.extinction.z));
@@ -227,7 +227,7 @@ TEST_CASE("A mirror shows what stands behind the viewer") {
 
 TEST_CASE("Without specular surfaces, depth or lights no such rays are cast") {
   const auto counts_of = [](Model model) {
-    const NodeIndex root = model.add(PrimitiveKind::sphere, trial::moved({0, 0, 5}), 0);
+    const NodeIndex root = model.add(kind_of<sphere::Kind>, trial::moved({0, 0, 5}), 0);
     BuiltFrame<float> built(model, root);
     return built.pixel(32, 24).rays;
   };

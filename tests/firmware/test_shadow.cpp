@@ -41,7 +41,7 @@ TEST_CASE("A slab lets through exp(-a t) (1 - F)^2 along its axis") {
   Model model;
   const SurfaceIndex glass = model.add(trial::glass_surface(index, absorption));
   const NodeIndex slab =
-      model.add(PrimitiveKind::box, box_between({-9, -9, 5}, {9, 9, 5 + thickness}), glass);
+      model.add(kind_of<box::Kind>, box_between({-9, -9, 5}, {9, 9, 5 + thickness}), glass);
   BuiltFrame<double> built(model, slab);
   const double passage = 1 - frontal_reflection(index);
   const Color<double> light = light_over<double>(built, {0, 0, 0}, {0, 0, 10});
@@ -61,7 +61,7 @@ TEST_CASE("The share of diffuse reflection lets nothing through") {
   Model model;
   const SurfaceIndex surface = model.add(milky);
   BuiltFrame<double> built(
-      model, model.add(PrimitiveKind::box, box_between({-9, -9, 5}, {9, 9, 6}), surface));
+      model, model.add(kind_of<box::Kind>, box_between({-9, -9, 5}, {9, 9, 6}), surface));
   const double passage = 0.25 * (1 - frontal_reflection(1.5));
   CHECK(light_over<double>(built, {0, 0, 0}, {0, 0, 10}).x ==
         Approx(passage * passage).epsilon(1e-12));
@@ -71,8 +71,8 @@ TEST_CASE("Overlapping transparent bodies attenuate where each has its matter") 
   Model model;
   const SurfaceIndex red = model.add(trial::glass_surface(1.5, {0, 1, 1}));
   const SurfaceIndex blue = model.add(trial::glass_surface(1.5, {2, 2, 0}));
-  const NodeIndex a = model.add(PrimitiveKind::box, box_between({-9, -9, 1}, {9, 9, 3}), red);
-  const NodeIndex b = model.add(PrimitiveKind::box, box_between({-9, -9, 2}, {9, 9, 5}), blue);
+  const NodeIndex a = model.add(kind_of<box::Kind>, box_between({-9, -9, 1}, {9, 9, 3}), red);
+  const NodeIndex b = model.add(kind_of<box::Kind>, box_between({-9, -9, 2}, {9, 9, 5}), blue);
   BuiltFrame<double> built(model, model.combine(BooleanOperator::union_of, a, b));
   const double passages = std::pow(1 - frontal_reflection(1.5), 2);
   const Color<double> light = light_over<double>(built, {0, 0, 0}, {0, 0, 9});
@@ -84,10 +84,10 @@ TEST_CASE("Overlapping transparent bodies attenuate where each has its matter") 
 TEST_CASE("What is left of a body behind the origin or beyond the source gives no shadow") {
   Model model;
   const SurfaceIndex glass = model.add(trial::glass_surface(1.5));
-  const NodeIndex stone = model.add(PrimitiveKind::box, box_between({-9, -9, -5}, {9, 9, 10}));
-  const NodeIndex hole = model.add(PrimitiveKind::box, box_between({-1, -1, -1}, {1, 1, 4}));
+  const NodeIndex stone = model.add(kind_of<box::Kind>, box_between({-9, -9, -5}, {9, 9, 10}));
+  const NodeIndex hole = model.add(kind_of<box::Kind>, box_between({-1, -1, -1}, {1, 1, 4}));
   const NodeIndex carved = model.combine(BooleanOperator::difference, stone, hole);
-  const NodeIndex lens = model.add(PrimitiveKind::sphere, trial::moved({30, 0, 0}), glass);
+  const NodeIndex lens = model.add(kind_of<sphere::Kind>, trial::moved({30, 0, 0}), glass);
   for (const bool with_glass : {false, true}) {
     BuiltFrame<double> built(
         model, with_glass ? model.combine(BooleanOperator::union_of, carved, lens) : carved);
@@ -97,8 +97,8 @@ TEST_CASE("What is left of a body behind the origin or beyond the source gives n
     CHECK(light_over<double>(built, {0, 0, 20}, {0, 0, 3}).x == 0);
   }
   // Transparent matter holding the opaque body, so that combination alone knows.
-  const NodeIndex bubble = model.add(PrimitiveKind::sphere, trial::scaled({40, 40, 40}), glass);
-  const NodeIndex hall = model.add(PrimitiveKind::box, box_between({-1, -1, -1}, {1, 1, 4}));
+  const NodeIndex bubble = model.add(kind_of<sphere::Kind>, trial::scaled({40, 40, 40}), glass);
+  const NodeIndex hall = model.add(kind_of<box::Kind>, box_between({-1, -1, -1}, {1, 1, 4}));
   const NodeIndex filled = model.combine(BooleanOperator::union_of, bubble, stone);
   BuiltFrame<double> both(model, model.combine(BooleanOperator::difference, filled, hall));
   CHECK(light_over<double>(both, {0, 0, 0}, {0, 0, 3}).x == 1);

@@ -22,7 +22,7 @@ trial::ControlNets bowl(double bend) {
 }
 
 NodeIndex add_bowl(Model& model, double bend, const Placement& to_scene) {
-  return model.add(PrimitiveKind::patches, to_scene, 0,
+  return model.add(kind_of<patches::Kind>, to_scene, 0,
                    trial::parameters_of<double>(bowl(bend), false, trial::SearchMethod::roots));
 }
 
@@ -141,7 +141,7 @@ TEMPLATE_TEST_CASE("Of a sheet in a CSG tree what the operators leave is seen", 
     const Placement placement = random.placement(random.in_cube(4), random.magnitude(1e-2, 1e2), 1);
     const SurfaceIndex other = model.add(trial::matt_surface());
     const NodeIndex sheet = add_bowl(model, 0, placement);
-    const NodeIndex box = model.add(PrimitiveKind::box,
+    const NodeIndex box = model.add(kind_of<box::Kind>,
                                     concatenate(placement, trial::scaled({0.4, 0.4, 0.4})), other);
     const auto crossings = [&](BooleanOperator combination, NodeIndex a, NodeIndex b, double x) {
       Model combined = model;

@@ -36,7 +36,7 @@ Crossing<Real> first_crossing(BuiltFrame<Real>& built, const RayQuery<Real>& que
 template <class Real>
 Vector<double> leaving_direction(Random& random, const SurfacePoint<Real>& point,
                                  PrimitiveKind kind) {
-  const double lowest = kind == PrimitiveKind::half_space ? 1e-5 : 1e-7;
+  const double lowest = kind == kind_of<half_space::Kind> ? 1e-5 : 1e-7;
   const double cosine = random.coin() ? random.uniform(0.01, 1) : random.magnitude(lowest, 0.1);
   return random.direction_around(glm::normalize(trial::exact(point.normal)), cosine);
 }
@@ -44,9 +44,9 @@ Vector<double> leaving_direction(Random& random, const SurfacePoint<Real>& point
 /// A point inside of the primitive in its local frame.
 Vector<double> inner_point(PrimitiveKind kind) {
   switch (kind) {
-    case PrimitiveKind::half_space:
+    case kind_of<half_space::Kind>:
       return {0, 0, -0.5};
-    case PrimitiveKind::cone:
+    case kind_of<cone::Kind>:
       return {0, 0, 0.95};
     default:
       return {0, 0, 0};
@@ -116,9 +116,9 @@ Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& settin
   return outcome;
 }
 
-constexpr PrimitiveKind k_kinds[] = {PrimitiveKind::half_space, PrimitiveKind::box,
-                                     PrimitiveKind::sphere, PrimitiveKind::cylinder,
-                                     PrimitiveKind::cone};
+constexpr PrimitiveKind k_kinds[] = {kind_of<half_space::Kind>, kind_of<box::Kind>,
+                                     kind_of<sphere::Kind>, kind_of<cylinder::Kind>,
+                                     kind_of<cone::Kind>};
 constexpr int k_turns = 600;
 
 TEMPLATE_TEST_CASE("Rays spawned near the eye leave and stay inside", "", float, double) {
@@ -142,7 +142,7 @@ TEMPLATE_TEST_CASE("Rays spawned where far rays arrive leave", "", float, double
     CHECK(outcome.inside_out == 0);
     CHECK(outcome.met_again == 0);
     // Rounding may have brought the point to an edge, where a ray inwards leaves at once.
-    CHECK(outcome.fell_out <= (kind == PrimitiveKind::sphere ? 0 : outcome.spawned / 50));
+    CHECK(outcome.fell_out <= (kind == kind_of<sphere::Kind> ? 0 : outcome.spawned / 50));
   }
 }
 

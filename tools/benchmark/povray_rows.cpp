@@ -44,7 +44,7 @@ std::string disc_text(const glm::dvec2& end, const std::string& finish) {
 
 std::string vase_text(const sim::Scene& scene) {
   const sim::Object& vase = scene.object.children.front();
-  const auto curve = sim::generatrix_curve(std::get<sim::RevolutionShape>(vase.shape));
+  const auto curve = sim::generatrix_curve(*sim::shape_of<sim::RevolutionShape>(*vase.primitive));
   const std::string finish = finish_text(scene, vase.surface);
   std::string points;
   for (std::size_t section = 0; section < curve.sections(); ++section) {

@@ -6,6 +6,8 @@
 #include <random>
 
 #include "sim/database/frame_synthesis.hpp"
+#include "sim/primitives/box.hpp"
+#include "sim/primitives/sphere.hpp"
 #include "tools/benchmark/rows.hpp"
 
 /// Unions of many bodies: what a ray costs, and what their tree does.
@@ -34,8 +36,11 @@ std::vector<sim::Object> bodies(int count, Filling filling) {
   std::vector<sim::Object> result;
   for (int i = 0; i < count; ++i) {
     sim::Object body;
-    body.kind = i % 2 == 0 ? sim::ObjectKind::sphere : sim::ObjectKind::box;
-    body.size = sim::Vector3(i % 2 == 0 ? radius : 1.6 * radius);
+    if (i % 2 == 0) {
+      body.primitive = sim::primitive_of(sim::SphereShape{sim::Vector3(radius)});
+    } else {
+      body.primitive = sim::primitive_of(sim::BoxShape{sim::Vector3(1.6 * radius)});
+    }
     const double x = uniform();
     const double y = uniform();
     body.placement[3] = {x, y, uniform()};
@@ -46,7 +51,7 @@ std::vector<sim::Object> bodies(int count, Filling filling) {
 
 sim::Object union_of(std::vector<sim::Object> children) {
   sim::Object object;
-  object.kind = sim::ObjectKind::union_of;
+  object.combination = firmware::BooleanOperator::union_of;
   object.children = std::move(children);
   return object;
 }

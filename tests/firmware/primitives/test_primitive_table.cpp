@@ -12,21 +12,21 @@ namespace {
 
 using trial::Random;
 
-constexpr PrimitiveKind k_kinds[] = {PrimitiveKind::half_space, PrimitiveKind::box,
-                                     PrimitiveKind::sphere, PrimitiveKind::cylinder,
-                                     PrimitiveKind::cone};
+constexpr PrimitiveKind k_kinds[] = {kind_of<half_space::Kind>, kind_of<box::Kind>,
+                                     kind_of<sphere::Kind>, kind_of<cylinder::Kind>,
+                                     kind_of<cone::Kind>};
 
 /// Below 0 inside, above 0 outside, about the distance to the surface nearby.
 double outside_by(PrimitiveKind kind, double top, const Vector<double>& p) {
   const double radius = std::hypot(p.x, p.y);
   switch (kind) {
-    case PrimitiveKind::half_space:
+    case kind_of<half_space::Kind>:
       return p.z;
-    case PrimitiveKind::box:
+    case kind_of<box::Kind>:
       return magnitude(p) - 1;
-    case PrimitiveKind::sphere:
+    case kind_of<sphere::Kind>:
       return glm::length(p) - 1;
-    case PrimitiveKind::cylinder:
+    case kind_of<cylinder::Kind>:
       return larger(radius, absolute(p.z)) - 1;
     default:
       break;

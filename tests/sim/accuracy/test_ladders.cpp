@@ -4,7 +4,10 @@
 #include "sim/accuracy/ladders.hpp"
 #include "tests/catch.hpp"
 
-using namespace maquette::sim;
+using
+#include "sim/primitives/revolution.hpp"
+
+    namespace maquette::sim;
 
 namespace {
 
@@ -28,7 +31,7 @@ Scene scene_with(const RayTree& tree, double specular) {
 TEST_CASE("ladders have names of their own and a reference") {
   Scene scene = scene_with({}, 1);
   scene.object.children.resize(1);
-  scene.object.children[0].kind = ObjectKind::revolution;
+  scene.object.children[0].primitive = primitive_of(RevolutionShape{});
   const std::vector<Ladder> ladders = ladders_of(scene, default_quanta());
   std::set<std::string> names;
   for (const Ladder& ladder : ladders) {

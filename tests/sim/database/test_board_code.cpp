@@ -1,6 +1,6 @@
 #include "sim/database/board_code.hpp"
 
-#include "firmware/primitives/primitive.hpp"
+#include "firmware/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 
 using namespace maquette;
@@ -61,8 +61,8 @@ TEST_CASE("A higher tree takes more stack, the same for every level") {
 TEST_CASE("Primitives with several spans take more stack than convex ones, only where needed") {
   firmware::Needs needs{};
   const auto convex = sim::board_stack_bytes(3, needs);
-  needs.primitives[static_cast<int>(firmware::PrimitiveKind::cone)] = true;
+  needs.primitives[static_cast<int>(firmware::kind_of<firmware::cone::Kind>)] = true;
   CHECK(sim::board_stack_bytes(3, needs) == convex);
-  needs.primitives[static_cast<int>(firmware::PrimitiveKind::revolution)] = true;
+  needs.primitives[static_cast<int>(firmware::kind_of<firmware::revolution::Kind>)] = true;
   CHECK(sim::board_stack_bytes(3, needs) > convex + firmware::k_primitive_hit_limit * 6);
 }

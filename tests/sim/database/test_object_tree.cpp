@@ -3,25 +3,27 @@
 #include <algorithm>
 
 #include "sim/database/needs.hpp"
+#include "sim/primitives/sphere.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 namespace maquette::sim {
 namespace {
 
+using firmware::BooleanOperator;
 using firmware::NodeIndex;
 using firmware::trial::Random;
 
 Object ball_at(const Vector3& place) {
   Object ball;
-  ball.kind = ObjectKind::sphere;
+  ball.primitive = primitive_of(SphereShape{});
   ball.placement[3] = place;
   return ball;
 }
 
-Object combined(ObjectKind kind, std::vector<Object> children) {
+Object combined(BooleanOperator combination, std::vector<Object> children) {
   Object object;
-  object.kind = kind;
+  object.combination = combination;
   object.surface = "matt";
   object.children = std::move(children);
   return object;
@@ -33,13 +35,13 @@ Scene scattered(Random& random, int balls, int carved) {
   for (int i = 0; i < balls; ++i) {
     Object ball = ball_at(random.in_cube(9));
     if (i < carved) {
-      ball = combined(ObjectKind::difference, {ball, ball_at(random.in_cube(9))});
+      ball = combined(BooleanOperator::difference, {ball, ball_at(random.in_cube(9))});
     }
     children.push_back(ball);
   }
   Scene scene;
   scene.surfaces.emplace_back().name = "matt";
-  scene.object = combined(ObjectKind::union_of, std::move(children));
+  scene.object = combined(BooleanOperator::union_of, std::move(children));
   return scene;
 }
 

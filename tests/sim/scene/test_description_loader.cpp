@@ -1,7 +1,9 @@
 #include "sim/scene/description_loader.hpp"
 
 #include "sim/machine/machine_description.hpp"
+#include "sim/primitives/sphere.hpp"
 #include "sim/yaml/yaml_reader.hpp"
+#include "sim/yaml/yaml_writer.hpp"
 #include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
@@ -13,14 +15,17 @@ std::string configuration(const Description& description) {
 }
 
 void check_equal(const Object& left, const Object& right) {
-  CHECK(left.kind == right.kind);
+  REQUIRE(left.primitive.has_value() == right.primitive.has_value());
+  if (left.primitive) {
+    const PrimitiveDescription& description = *left.primitive->description;
+    CHECK(&description == right.primitive->description);
+    CHECK(write_yaml(description.write(left.primitive->shape)) ==
+          write_yaml(description.write(right.primitive->shape)));
+  }
+  CHECK(left.combination == right.combination);
   CHECK(left.name == right.name);
   CHECK(left.placement == right.placement);
   CHECK(left.surface == right.surface);
-  CHECK(left.size == right.size);
-  CHECK(left.radius == right.radius);
-  CHECK(left.top_radius == right.top_radius);
-  CHECK(left.height == right.height);
   REQUIRE(left.children.size() == right.children.size());
   for (std::size_t i = 0; i < left.children.size(); ++i) {
     check_equal(left.children[i], right.children[i]);
@@ -65,7 +70,7 @@ TEST_CASE("the effective configuration keeps what overrides changed, and places 
   const auto multiply = static_cast<std::size_t>(firmware::Operation::multiply);
   CHECK(first.machine.parameters.board.arithmetic.operations[multiply].clocks == 123.25);
   CHECK(first.machine.parameters.board.arithmetic.operations[multiply].reads == 31);
-  CHECK(first.scene.object.children[0].size == Vector3{1.25});
+  CHECK(shape_of<SphereShape>(*first.scene.object.children[0].primitive)->radii == Vector3{1.25});
   CHECK(first.scene.lights[0].intensity == Color{1, 2, 3});
   CHECK_FALSE(first.scene.shadows);
   CHECK(first.scene.view.eye == Vector3{5, -6, 3});
@@ -112,8 +117,9 @@ TEST_CASE("the shipped prototype says every figure and says the declared default
   YamlNode written = write_machine(machine);
   *written.find("board")->find("arithmetic") = yaml_scalar("motorola_ffp");
   CHECK(count_values(load_yaml(file), count_values) == count_values(written, count_values));
-  CHECK(input_files == std::vector<std::string>{
-                           file, (data_directory() / "models/arithmetic/motorola_ffp.yaml").string()});
+  CHECK(input_files ==
+        std::vector<std::string>{
+            file, (data_directory() / "models/arithmetic/motorola_ffp.yaml").string()});
 }
 
 TEST_CASE("every shipped cost table loads, orders its costs sensibly and marks its sources") {

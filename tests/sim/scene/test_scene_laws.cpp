@@ -5,6 +5,13 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "sim/database/prepared_scene.hpp"
+#include "sim/primitives/algebraic.hpp"
+#include "sim/primitives/box.hpp"
+#include "sim/primitives/cone.hpp"
+#include "sim/primitives/cylinder.hpp"
+#include "sim/primitives/half_space.hpp"
+#include "sim/primitives/prism.hpp"
+#include "sim/primitives/sphere.hpp"
 #include "sim/stability/scene_scale.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
@@ -15,19 +22,18 @@ namespace {
 
 constexpr PictureFormat k_size{96, 72};
 
-Object primitive(ObjectKind kind, const std::string& surface, const Vector3& at,
-                 const Vector3& size = {1, 1, 1}) {
+template <class Shape>
+Object primitive(const Shape& shape, const std::string& surface, const Vector3& at) {
   Object object;
-  object.kind = kind;
+  object.primitive = primitive_of(shape);
   object.surface = surface;
-  object.size = size;
   object.placement[3] = at;
   return object;
 }
 
-Object composite(ObjectKind kind, std::vector<Object> children) {
+Object composite(firmware::BooleanOperator combination, std::vector<Object> children) {
   Object object;
-  object.kind = kind;
+  object.combination = combination;
   object.children = std::move(children);
   return object;
 }
@@ -55,25 +61,21 @@ std::vector<Surface> all_surfaces() {
 
 /// A torus.
 Object ring(const std::string& surface, const Vector3& at) {
-  Object object = primitive(ObjectKind::algebraic, surface, at);
   AlgebraicShape shape;
   shape.size = {1.9, 1.9, 0.6};
   shape.terms = {{{4, 0, 0}, 1},   {{0, 4, 0}, 1},     {{0, 0, 4}, 1},    {{2, 2, 0}, 2},
                  {{2, 0, 2}, 2},   {{0, 2, 2}, 2},     {{2, 0, 0}, -0.9}, {{0, 2, 0}, -0.9},
                  {{0, 0, 2}, 0.7}, {{0, 0, 0}, 0.1225}};
-  object.shape = shape;
-  return object;
+  return primitive(shape, surface, at);
 }
 
 /// A triangle with a round hole.
 Object washer(const std::string& surface, const Vector3& at) {
-  Object object = primitive(ObjectKind::prism, surface, at);
   PrismShape shape;
   shape.height = 0.7;
   shape.contours = {{{{-0.9, -0.6}, {0.9, -0.6}, {0, 0.9}}, false},
                     {{{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}, true}};
-  object.shape = shape;
-  return object;
+  return primitive(shape, surface, at);
 }
 
 /// Every primitive, every operator, every kind of surface, on a ground.
@@ -87,27 +89,21 @@ Scene lively_scene() {
   scene.ambient = {0.15, 0.15, 0.15};
   scene.background = {0.1, 0.2, 0.4};
   scene.surfaces = all_surfaces();
-  Object tube = primitive(ObjectKind::cylinder, "plastic", {-3.1, 0.4, 0});
-  tube.height = 2.2;
-  Object bore = primitive(ObjectKind::cylinder, "chalk", {-3.1, 0.4, 0});
-  bore.radius = 0.6;
-  bore.height = 2.2;
-  Object cone = primitive(ObjectKind::cone, "chalk", {3, 1, 0});
-  cone.height = 2;
-  Object bucket = primitive(ObjectKind::cone, "silver", {1.3, -2.5, 0});
-  bucket.radius = 0.4;
-  bucket.top_radius = 0.8;
-  scene.object = composite(
-      ObjectKind::union_of,
-      {primitive(ObjectKind::half_space, "chalk", {0, 0, 0}),
-       composite(ObjectKind::difference, {tube, bore}), cone, bucket,
-       primitive(ObjectKind::sphere, "silver", {0.2, 2.5, 1.3}, {1.3, 1.3, 1.3}),
-       composite(ObjectKind::intersection,
-                 {primitive(ObjectKind::box, "plastic", {0, 0.1, 0.7}, {1.4, 1.4, 1.4}),
-                  primitive(ObjectKind::sphere, "chalk", {0, 0.1, 0.7}, {0.9, 0.9, 0.9})}),
-       ring("silver", {-2.7, -2.2, 0.3}), washer("plastic", {4.7, -0.3, 0}),
-       primitive(ObjectKind::sphere, "glass", {-0.9, -3.2, 0.8}, {0.7, 0.7, 0.7}),
-       primitive(ObjectKind::box, "glass", {3.2, -2.4, 0.9}, {1.2, 0.8, 1.5})});
+  const Object tube = primitive(CylinderShape{1, 2.2}, "plastic", {-3.1, 0.4, 0});
+  const Object bore = primitive(CylinderShape{0.6, 2.2}, "chalk", {-3.1, 0.4, 0});
+  const Object cone = primitive(ConeShape{1, 0, 2}, "chalk", {3, 1, 0});
+  const Object bucket = primitive(ConeShape{0.4, 0.8, 1}, "silver", {1.3, -2.5, 0});
+  scene.object =
+      composite(firmware::BooleanOperator::union_of,
+                {primitive(HalfSpaceShape{}, "chalk", {0, 0, 0}),
+                 composite(firmware::BooleanOperator::difference, {tube, bore}), cone, bucket,
+                 primitive(SphereShape{{1.3, 1.3, 1.3}}, "silver", {0.2, 2.5, 1.3}),
+                 composite(firmware::BooleanOperator::intersection,
+                           {primitive(BoxShape{{1.4, 1.4, 1.4}}, "plastic", {0, 0.1, 0.7}),
+                            primitive(SphereShape{{0.9, 0.9, 0.9}}, "chalk", {0, 0.1, 0.7})}),
+                 ring("silver", {-2.7, -2.2, 0.3}), washer("plastic", {4.7, -0.3, 0}),
+                 primitive(SphereShape{{0.7, 0.7, 0.7}}, "glass", {-0.9, -3.2, 0.8}),
+                 primitive(BoxShape{{1.2, 0.8, 1.5}}, "glass", {3.2, -2.4, 0.9})});
   return scene;
 }
 

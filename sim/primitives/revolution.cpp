@@ -1,13 +1,38 @@
-#include "sim/primitives/revolution_fields.hpp"
+#include "sim/primitives/revolution.hpp"
+
+#include <algorithm>
 
 #include "firmware/primitives/generatrix.hpp"
+#include "firmware/primitives/primitive_table.hpp"
+#include "sim/fields/declaration.hpp"
 #include "sim/fields/field_reader.hpp"
 #include "sim/fields/field_writer.hpp"
+#include "sim/fields/value_types.hpp"
 #include "sim/primitives/generatrix_curve.hpp"
+#include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/shared_code.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/name_check.hpp"
 
 namespace maquette::sim {
+
+/// A mapping from names to displacements.
+struct DisplacementsType {
+  [[nodiscard]] static std::vector<Displacement> read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::vector<Displacement>& displacements);
+};
+
+inline constexpr PointListType k_profile_points{{-k_largest_length, k_largest_length}};
+
+template <class Visitor>
+void declare(Visitor& visitor, RevolutionShape& shape) {
+  visitor.field(required("points", "control points [r, z] of a uniform cubic B-spline"),
+                shape.points, k_profile_points);
+  visitor.field({"closed", "the spline joins its ends; false: discs close the solid"}, shape.closed,
+                FlagType{});
+  visitor.field({"displacements", "of the control points, by their names"}, shape.displacements,
+                DisplacementsType{});
+}
 namespace {
 
 template <class Visitor>
@@ -69,6 +94,10 @@ YamlNode DisplacementsType::write(const std::vector<Displacement>& displacements
   return mapping;
 }
 
+namespace {
+
+/// Throws DescriptionError unless the generatrix makes a solid: enough points and not too many, no
+/// part beyond the axis, some radius and some height, no crossing of itself. `node` is the shape's.
 void check_revolution(const RevolutionShape& shape, const YamlNode& node) {
   check_count(shape, node);
   const std::string moved = shape.displacements.empty() ? "" : ", displaced,";
@@ -89,6 +118,55 @@ void check_revolution(const RevolutionShape& shape, const YamlNode& node) {
          "the generatrix" + moved + " crosses itself: section " + std::to_string(crossing->first) +
              " meets section " + std::to_string(crossing->second));
   }
+}
+
+constexpr Call k_calls[] = {{"cross_spans"},
+                            {"revolution::intersect"},
+                            {"revolution::intersect_node", firmware::revolution::k_tree_height + 1},
+                            {"revolution::intersect_section"},
+                            {"real_roots::isolate", k_isolation_depth},
+                            {"real_roots::add_isolated"},
+                            {"real_roots::add_between_ends"},
+                            {"laguerre::refined"}};
+
+}  // namespace
+
+LocalFrame frame_of(const RevolutionShape& shape) {
+  const GeneratrixCurve curve = generatrix_curve(shape);
+  const Extent2 extent = extent_of(curve);
+  const double radius = extent.high.x;
+  const double half_height = (extent.high.y - extent.low.y) / 2;
+  const double middle = extent.low.y + half_height;
+
+  std::vector<glm::dvec2> points = displaced_points(shape);
+  if (enclosed_area(curve) < 0) {
+    std::reverse(points.begin(), points.end());
+  }
+  std::vector<double> control;
+  for (const glm::dvec2& point : points) {
+    control.insert(control.end(), {point.x / radius, (point.y - middle) / half_height});
+  }
+  LocalFrame frame;
+  frame.kind = firmware::kind_of<firmware::revolution::Kind>;
+  frame.parameters.resize(static_cast<std::size_t>(
+      firmware::revolution::parameter_count(static_cast<int>(curve.sections()))));
+  firmware::revolution::write_parameters(control.data(), static_cast<int>(points.size()),
+                                         !shape.closed, frame.parameters.data());
+  frame.to_object = {radius, 0, 0, 0, radius, 0, 0, 0, half_height, 0, 0, middle};
+  return frame;
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::revolution::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription revolution = described<RevolutionShape, check_revolution>("revolution");
+    revolution.own_turns = OwnTurns::all;
+    revolution.root_tolerance = firmware::revolution::k_root_tolerance;
+    revolution.shared_code = {k_root_code, k_plane_cubic_code, k_hit_order_code};
+    revolution.call_chain = k_calls;
+    return revolution;
+  }();
+  return k_description;
 }
 
 }  // namespace maquette::sim

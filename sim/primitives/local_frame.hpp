@@ -1,11 +1,15 @@
 #pragma once
 
+#include <glm/mat4x3.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 #include "firmware/database.hpp"
-#include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
+
+using Vector3 = glm::dvec3;
+using Placement = glm::dmat4x3;  ///< affine: columns are the images of x, y, z and the origin
 
 /// A primitive of a description in the firmware's terms: which canonical solid, its
 /// parameters if it has any, and the frame that makes the described solid of the canonical one.
@@ -15,11 +19,9 @@ struct LocalFrame {
   Placement to_object;
 };
 
-/// The firmware's form of a primitive object; its own placement is not in it. A cone with equal
-/// radii is a cylinder.
-LocalFrame local_frame_of(const Object& primitive);
-
-/// The inverse of an affine placement that is not singular.
-Placement inverse_of(const Placement& placement);
+/// Scales along the axes and moves along z.
+inline Placement scaled_and_raised(const Vector3& scale, double height) {
+  return {scale.x, 0, 0, 0, scale.y, 0, 0, 0, scale.z, 0, 0, height};
+}
 
 }  // namespace maquette::sim

@@ -1,6 +1,5 @@
-#include "sim/primitives/terrain_fields.hpp"
+#include "sim/primitives/terrain.hpp"
 
-#include "sim/database/terrain_frame.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
@@ -30,7 +29,7 @@ TEST_CASE("A terrain keeps its heights in its local frame, whatever its unit") {
   Random random(21);
   for (int i = 0; i < 200; ++i) {
     const TerrainShape shape = random_terrain(random, random.magnitude(1e-5, 1e5));
-    const LocalFrame frame = terrain_frame(shape);
+    const LocalFrame frame = frame_of(shape);
     const double* parameters = frame.parameters.data();
     firmware::Box<double> box{};
     REQUIRE(firmware::terrain::bounds(parameters, box));

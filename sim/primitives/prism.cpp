@@ -1,11 +1,32 @@
-#include "sim/primitives/prism_fields.hpp"
+#include "sim/primitives/prism.hpp"
 
+#include "firmware/primitives/primitive_table.hpp"
 #include "firmware/primitives/prism_outline.hpp"
+#include "sim/fields/declaration.hpp"
 #include "sim/fields/field_reader.hpp"
+#include "sim/fields/value_types.hpp"
+#include "sim/primitives/primitive_description.hpp"
 #include "sim/primitives/prism_edges.hpp"
+#include "sim/primitives/shared_code.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
+
+/// A list of contours, each a `polygon` by its corners or a `spline` by its control points.
+struct ContourListType {
+  [[nodiscard]] static std::vector<Contour> read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::vector<Contour>& contours);
+};
+
+template <class Visitor>
+void declare(Visitor& visitor, PrismShape& shape) {
+  visitor.field(required("contours",
+                         "a list of polygon: [[x, y], ...] or spline: [[x, y], ...]; "
+                         "filled where a line has crossed an odd number of them"),
+                shape.contours, ContourListType{});
+  visitor.field(required("height", "along z"), shape.height,
+                RealType{RealDimension::number, {0, k_largest_length, true}});
+}
 namespace {
 
 constexpr PointListType k_points{{-k_largest_length, k_largest_length}};
@@ -68,6 +89,10 @@ YamlNode ContourListType::write(const std::vector<Contour>& contours) {
   return yaml_sequence(std::move(items));
 }
 
+namespace {
+
+/// Throws DescriptionError unless the contours make a solid: three points each, some area, no more
+/// edges than a prism may have. `node` is the shape's.
 void check_prism(const PrismShape& shape, const YamlNode& node) {
   const YamlNode& contours = nearest_node(node, "contours");
   constexpr int k_limit = firmware::prism::k_crossing_limit;
@@ -89,6 +114,49 @@ void check_prism(const PrismShape& shape, const YamlNode& node) {
   if (!has_area(edges)) {
     fail(contours, "contours", "they enclose nothing; some area is needed");
   }
+}
+
+constexpr Call k_calls[] = {{"cross_spans"},
+                            {"prism::intersect"},
+                            {"prism::cross_outline"},
+                            {"prism::cross_node", firmware::prism::k_tree_height + 1},
+                            {"real_roots::isolate", k_isolation_depth},
+                            {"real_roots::add_isolated"},
+                            {"real_roots::add_between_ends"},
+                            {"laguerre::refined"}};
+
+}  // namespace
+
+LocalFrame frame_of(const PrismShape& shape) {
+  PrismEdges edges = prism_edges(shape);
+  const PlaneBox box = box_of(edges);
+  const glm::dvec2 half = (box.high - box.low) / 2.0;
+  const glm::dvec2 middle = box.low + half;
+  for (std::vector<Edge>* list : {&edges.lines, &edges.cubics}) {
+    for (Edge& edge : *list) {
+      for (glm::dvec2& point : edge.points) {
+        point = (point - middle) / half;
+      }
+    }
+  }
+  LocalFrame frame;
+  frame.kind = firmware::kind_of<firmware::prism::Kind>;
+  frame.parameters = outline_parameters(edges);
+  const double half_height = shape.height / 2;
+  frame.to_object = {half.x, 0, 0,           0,        half.y,   0,
+                     0,      0, half_height, middle.x, middle.y, half_height};
+  return frame;
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::prism::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription prism = described<PrismShape, check_prism>("prism");
+    prism.shared_code = {k_root_code, k_plane_cubic_code, k_hit_order_code};
+    prism.call_chain = k_calls;
+    return prism;
+  }();
+  return k_description;
 }
 
 }  // namespace maquette::sim

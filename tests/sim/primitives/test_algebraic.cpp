@@ -1,4 +1,4 @@
-#include "sim/database/algebraic_frame.hpp"
+#include "sim/primitives/algebraic.hpp"
 
 #include <cmath>
 
@@ -45,7 +45,7 @@ TEST_CASE("The polynomial keeps its values in the local frame, up to one factor"
   Random random(31);
   for (int i = 0; i < 300; ++i) {
     const AlgebraicShape shape = random_shape(random);
-    const LocalFrame frame = algebraic_frame(shape);
+    const LocalFrame frame = frame_of(shape);
     const auto value = [&](const Vector3& local) {
       return firmware::algebraic::jet_at(frame.parameters.data(), local).value;
     };
@@ -67,7 +67,7 @@ TEST_CASE("The polynomial keeps its values in the local frame, up to one factor"
 TEST_CASE("The largest coefficient is 1") {
   Random random(32);
   for (int i = 0; i < 300; ++i) {
-    const LocalFrame frame = algebraic_frame(random_shape(random));
+    const LocalFrame frame = frame_of(random_shape(random));
     double largest = 0;
     for (std::size_t k = 1; k < frame.parameters.size(); ++k) {
       largest = std::fmax(largest, std::fabs(frame.parameters[k]));

@@ -5,6 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "firmware/primitives/patches.hpp"
+#include "sim/primitives/local_frame.hpp"
+
 namespace maquette::sim {
 
 enum class PatchBasis { bezier, b_spline };
@@ -26,6 +29,8 @@ using PatchIndices = std::vector<int>;
 
 /// A set of bicubic patches. Either each names its points or all of them together are a grid.
 struct PatchesShape {
+  using Kind = firmware::patches::Kind;
+
   PatchBasis basis = PatchBasis::bezier;
   PatchMethod method = PatchMethod::subdivision;
   bool solid = false;  ///< false: a sheet without thickness
@@ -33,5 +38,9 @@ struct PatchesShape {
   std::optional<std::vector<PatchIndices>> patches;
   std::optional<PatchGrid> grid;
 };
+
+/// A set of patches in the firmware's terms: Bezier points in [-1, 1], those of a solid with
+/// normals outwards. The shape must be a checked one.
+[[nodiscard]] LocalFrame frame_of(const PatchesShape& shape);
 
 }  // namespace maquette::sim

@@ -1,13 +1,66 @@
-#include "sim/primitives/patches_fields.hpp"
+#include "sim/primitives/patches.hpp"
 
+#include <algorithm>
 #include <glm/geometric.hpp>
+#include <optional>
 #include <string>
 
 #include "firmware/primitives/patch_set.hpp"
+#include "firmware/primitives/primitive_table.hpp"
+#include "sim/fields/declaration.hpp"
+#include "sim/fields/value_types.hpp"
 #include "sim/primitives/patch_nets.hpp"
+#include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/shared_code.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
+
+/// A list of points in space.
+struct SpacePointListType {
+  [[nodiscard]] static std::vector<glm::dvec3> read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::vector<glm::dvec3>& points);
+};
+
+/// Lists of 16 numbers of points.
+struct PatchListType {
+  [[nodiscard]] static std::vector<PatchIndices> read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::vector<PatchIndices>& patches);
+};
+
+template <class Visitor>
+void declare_patch_grid(Visitor& visitor, PatchGrid& grid) {
+  visitor.field(required("columns", "points in a row"), grid.columns,
+                WholeType{WholeDimension::count, {3, 1000}});
+  visitor.field({"closed_rows", "the first column follows on the last"}, grid.closed_rows,
+                FlagType{});
+  visitor.field({"closed_columns", "the first row follows on the last"}, grid.closed_columns,
+                FlagType{});
+}
+
+template <class Visitor>
+void declare(Visitor& visitor, PatchesShape& shape) {
+  visitor.field(
+      {"basis", "of the bicubics: what the control points mean"}, shape.basis,
+      ChoiceType<PatchBasis>{{{"bezier", PatchBasis::bezier}, {"b_spline", PatchBasis::b_spline}}});
+  visitor.field({"method", "of intersection: halving of the patches, or roots of their equations"},
+                shape.method,
+                ChoiceType<PatchMethod>{
+                    {{"subdivision", PatchMethod::subdivision}, {"roots", PatchMethod::roots}}});
+  visitor.field(
+      {"solid", "the patches are closed and bound a solid; false: they have no thickness"},
+      shape.solid, FlagType{});
+  visitor.field(required("points", "control points"), shape.points, SpacePointListType{});
+  visitor.field({"patches", "numbers of the 16 points of each, from 0 on; or give a grid"},
+                shape.patches, PatchListType{});
+  bool has_grid = shape.grid.has_value();
+  PatchGrid grid = shape.grid.value_or(PatchGrid{});
+  visitor.optional_group({"grid", "the points are a rectangle, row after row; or give patches"},
+                         has_grid, [&] { declare_patch_grid(visitor, grid); });
+  if (has_grid) {
+    shape.grid = grid;
+  }
+}
 namespace {
 
 constexpr TripleType k_place{{-k_largest_length, k_largest_length}};
@@ -134,6 +187,10 @@ YamlNode PatchListType::write(const std::vector<PatchIndices>& patches) {
   return yaml_sequence(std::move(items));
 }
 
+namespace {
+
+/// Throws DescriptionError unless the patches are there: each of 16 points that exist, not too
+/// many, not all in one point; closed if they bound a solid. `node` is the shape's.
 void check_patches(const PatchesShape& shape, const YamlNode& node) {
   if (shape.patches.has_value() == shape.grid.has_value()) {
     fail(shape.grid ? nearest_node(node, "grid") : node, "patches",
@@ -158,6 +215,78 @@ void check_patches(const PatchesShape& shape, const YamlNode& node) {
   if (shape.solid) {
     check_solid(nets, node);
   }
+}
+
+/// Without thickness they hold no matter.
+std::string_view why_sheets_are_opaque(const PatchesShape& shape) {
+  return shape.solid ? std::string_view{}
+                     : "patches without thickness hold no matter; an opaque surface or "
+                       "`solid: true` is allowed";
+}
+
+constexpr Call k_calls[] = {
+    {"cross_spans"},
+    {"patches::intersect"},
+    {"patches::intersect_node", firmware::patches::k_tree_height + 1},
+    {"patches::intersect_patch"},
+    {"patches::isolate", firmware::patches::k_cell_bisection_limit<float> + 1},
+    {"patches::is_undecided"},
+    {"patches::winding_of"},
+    {"patches::edge_crossings"},
+    {"patches::crossings_of", firmware::patches::k_edge_bisection_limit<float> + 1}};
+
+/// The patches with u and v exchanged: their normals point the other way.
+void turn_over(std::vector<PatchNet>& nets) {
+  for (PatchNet& net : nets) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t k = 0; k < i; ++k) {
+        std::swap(net[4 * i + k], net[4 * k + i]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+LocalFrame frame_of(const PatchesShape& shape) {
+  std::vector<PatchNet> nets = patch_nets(shape);
+  if (shape.solid && enclosed_volume(nets) < 0) {
+    turn_over(nets);
+  }
+  const Extent3 extent = extent_of(nets);
+  const glm::dvec3 middle = (extent.low + extent.high) * 0.5;
+  const glm::dvec3 half = (extent.high - extent.low) * 0.5;
+  const double size = std::max({half.x, half.y, half.z});
+  std::vector<double> points;
+  for (const PatchNet& net : nets) {
+    for (const glm::dvec3& point : net) {
+      const glm::dvec3 local = (point - middle) / size;
+      points.insert(points.end(), {local.x, local.y, local.z});
+    }
+  }
+  namespace patches = firmware::patches;
+  const int count = static_cast<int>(nets.size());
+  LocalFrame frame;
+  frame.kind = firmware::kind_of<firmware::patches::Kind>;
+  frame.parameters.resize(static_cast<std::size_t>(patches::parameter_count(count)));
+  patches::write_parameters(points.data(), count, shape.solid,
+                            shape.method == PatchMethod::roots ? patches::SearchMethod::roots
+                                                               : patches::SearchMethod::subdivision,
+                            frame.parameters.data());
+  frame.to_object = {size, 0, 0, 0, size, 0, 0, 0, size, middle.x, middle.y, middle.z};
+  return frame;
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::patches::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription patches =
+        described<PatchesShape, check_patches, why_sheets_are_opaque>("patches");
+    patches.shared_code = {k_hit_order_code};
+    patches.call_chain = k_calls;
+    return patches;
+  }();
+  return k_description;
 }
 
 }  // namespace maquette::sim

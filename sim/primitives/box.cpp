@@ -1,0 +1,28 @@
+#include "sim/primitives/box.hpp"
+
+#include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/primitive_description.hpp"
+
+namespace maquette::sim {
+
+template <class Visitor>
+void declare(Visitor& visitor, BoxShape& shape) {
+  visitor.field(required("size", "edge lengths along x, y, z"), shape.size,
+                TripleType{{0, k_largest_length, true}, true});
+}
+
+LocalFrame frame_of(const BoxShape& shape) {
+  return {firmware::kind_of<firmware::box::Kind>, {}, scaled_and_raised(shape.size / 2.0, 0)};
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::box::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription box = described<BoxShape>("box");
+    box.own_turns = OwnTurns::quarters;
+    return box;
+  }();
+  return k_description;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,45 @@
+#include "sim/primitives/cone.hpp"
+
+#include <algorithm>
+
+#include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/cylinder.hpp"
+#include "sim/primitives/primitive_description.hpp"
+
+namespace maquette::sim {
+
+template <class Visitor>
+void declare(Visitor& visitor, ConeShape& shape) {
+  visitor.field(required("radius", "at z = 0"), shape.radius, k_length);
+  visitor.field({"top_radius", "at z = height; 0 is a pointed cone"}, shape.top_radius,
+                RealType{RealDimension::number, {0, k_largest_length}});
+  visitor.field(required("height", "along z"), shape.height, k_length);
+}
+
+LocalFrame frame_of(const ConeShape& shape) {
+  // The canonical cone has its apex at the origin and its base, of radius 1, at z = 1.
+  const double wide = std::max(shape.radius, shape.top_radius);
+  const double narrow = std::min(shape.radius, shape.top_radius);
+  if (wide == narrow) {
+    return frame_of(CylinderShape{wide, shape.height});
+  }
+  const double ratio = narrow / wide;
+  const double apex_height = shape.height / (1 - ratio);
+  const bool stands_on_base = shape.radius > shape.top_radius;
+  const Placement frame =
+      stands_on_base ? scaled_and_raised({wide, wide, -apex_height}, apex_height)
+                     : scaled_and_raised({wide, wide, apex_height}, shape.height - apex_height);
+  return {firmware::kind_of<firmware::cone::Kind>, {ratio}, frame};
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::cone::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription cone = described<ConeShape>("cone");
+    cone.own_turns = OwnTurns::all;
+    return cone;
+  }();
+  return k_description;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,31 @@
+#include "sim/primitives/cylinder.hpp"
+
+#include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/primitive_description.hpp"
+
+namespace maquette::sim {
+
+template <class Visitor>
+void declare(Visitor& visitor, CylinderShape& shape) {
+  visitor.field(required("radius", "of the cylinder"), shape.radius, k_length);
+  visitor.field(required("height", "along z"), shape.height, k_length);
+}
+
+LocalFrame frame_of(const CylinderShape& shape) {
+  const double half_height = shape.height / 2;
+  return {firmware::kind_of<firmware::cylinder::Kind>,
+          {},
+          scaled_and_raised({shape.radius, shape.radius, half_height}, half_height)};
+}
+
+template <>
+const PrimitiveDescription& description_of<firmware::cylinder::Kind>() {
+  static constexpr PrimitiveDescription k_description = [] {
+    PrimitiveDescription cylinder = described<CylinderShape>("cylinder");
+    cylinder.own_turns = OwnTurns::all;
+    return cylinder;
+  }();
+  return k_description;
+}
+
+}  // namespace maquette::sim
