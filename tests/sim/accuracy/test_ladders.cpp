@@ -2,12 +2,10 @@
 #include <set>
 
 #include "sim/accuracy/ladders.hpp"
+#include "sim/primitives/revolution.hpp"
 #include "tests/catch.hpp"
 
-using
-#include "sim/primitives/revolution.hpp"
-
-    namespace maquette::sim;
+using namespace maquette::sim;
 
 namespace {
 

@@ -49,7 +49,7 @@ bool has_large_union(const Scene& scene) {
   return needs_of(scene, object_tree_of(scene), {}).large_unions;
 }
 
-struct Range {
+struct LeafRange {
   NodeIndex first;
   NodeIndex end;
 };
@@ -61,13 +61,13 @@ TEST_CASE("The leaves below a node of the tree are numbered in a row") {
   for (int i = 0; i < 40; ++i) {
     const ObjectTree tree =
         object_tree_of(scattered(random, 2 + random.below(60), random.below(5)));
-    std::vector<Range> ranges;
+    std::vector<LeafRange> ranges;
     for (NodeIndex leaf = 0; leaf < tree.leaves.size(); ++leaf) {
       ranges.push_back({leaf, leaf + 1});
     }
     for (const firmware::Composite& composite : tree.composites) {
-      const Range& a = ranges[composite.children[0]];
-      const Range& b = ranges[composite.children[1]];
+      const LeafRange& a = ranges[composite.children[0]];
+      const LeafRange& b = ranges[composite.children[1]];
       REQUIRE(a.end == b.first);
       ranges.push_back({a.first, b.end});
     }

@@ -1,7 +1,7 @@
 #include "sim/primitives/generatrix_curve.hpp"
 
 #include "firmware/primitives/revolution.hpp"
-#include "sim/database/revolution_frame.hpp"
+#include "sim/primitives/revolution.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
@@ -48,7 +48,7 @@ TEST_CASE("Displacements add up, each times its amount") {
     RevolutionShape written = shape;
     written.points = moved;
     written.displacements.clear();
-    CHECK(revolution_frame(written).parameters == revolution_frame(shape).parameters);
+    CHECK(frame_of(written).parameters == frame_of(shape).parameters);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("The way along the generatrix is free") {
     std::reverse(reversed.points.begin(), reversed.points.end());
     CHECK(enclosed_area(generatrix_curve(reversed)) ==
           Approx(-enclosed_area(generatrix_curve(shape))));
-    CHECK(revolution_frame(reversed).parameters == revolution_frame(shape).parameters);
+    CHECK(frame_of(reversed).parameters == frame_of(shape).parameters);
   }
 }
 
@@ -79,7 +79,7 @@ TEST_CASE("The local frame has radius 1 and heights from -1 to 1") {
   Random random(13);
   for (int i = 0; i < 200; ++i) {
     const RevolutionShape shape = random_profile(random);
-    const LocalFrame frame = revolution_frame(shape);
+    const LocalFrame frame = frame_of(shape);
     firmware::Box<double> box{};
     REQUIRE(firmware::revolution::bounds(frame.parameters.data(), box));
     CHECK(box.high.x == Approx(1));

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "firmware/primitives/patches.hpp"
-#include "sim/database/patches_frame.hpp"
+#include "sim/primitives/patches.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
@@ -135,7 +135,7 @@ TEST_CASE("The local frame holds the points in [-1, 1], with normals outwards") 
         point.x = -point.x;
       }
     }
-    const LocalFrame frame = patches_frame(shape);
+    const LocalFrame frame = frame_of(shape);
     namespace patches = firmware::patches;
     const auto set = patches::patch_set(frame.parameters.data());
     CHECK(set.is_solid);

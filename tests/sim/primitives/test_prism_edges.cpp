@@ -7,7 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "firmware/primitives/prism.hpp"
-#include "sim/database/prism_frame.hpp"
+#include "sim/primitives/prism.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 #include "tests/sim/description_files.hpp"
@@ -179,7 +179,7 @@ TEST_CASE("A prism's local frame is the cube around it") {
     shape.height = random.magnitude(1e-3, 1e3);
     const PrismEdges edges = prism_edges(shape);
     const PlaneBox expected = box_of(edges);
-    const LocalFrame frame = prism_frame(shape);
+    const LocalFrame frame = frame_of(shape);
     firmware::Box<double> box{};
     REQUIRE(firmware::prism::bounds(frame.parameters.data(), box));
     CHECK(box.low.x == Approx(-1));

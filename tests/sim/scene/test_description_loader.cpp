@@ -1,5 +1,6 @@
 #include "sim/scene/description_loader.hpp"
 
+#include "models/bus/arbitration_policies.hpp"
 #include "sim/machine/machine_description.hpp"
 #include "sim/primitives/sphere.hpp"
 #include "sim/yaml/yaml_reader.hpp"

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "sim/yaml/description_error.hpp"
+#include "firmware/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
