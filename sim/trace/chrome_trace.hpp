@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/trace/bus_record.hpp"
+#include "sim/trace/trace_format.hpp"
 
 namespace maquette::sim {
 
@@ -25,5 +26,9 @@ void write_chrome_trace(const BusRecord& record, const std::vector<std::size_t>&
 
 /// About how long write_chrome_trace's output will be.
 std::int64_t expected_chrome_trace_bytes(const BusRecord& record);
+
+/// Chrome trace JSON as a format of trace files.
+inline constexpr TraceFormat k_chrome_trace{".json", write_chrome_trace,
+                                            expected_chrome_trace_bytes};
 
 }  // namespace maquette::sim

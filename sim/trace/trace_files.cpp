@@ -5,8 +5,6 @@
 #include <utility>
 
 #include "sim/report/seconds.hpp"
-#include "sim/trace/chrome_trace.hpp"
-#include "sim/trace/vcd_trace.hpp"
 
 namespace maquette::sim {
 
@@ -14,11 +12,6 @@ namespace {
 
 constexpr std::int64_t k_large_bytes = 100'000'000;
 constexpr std::int64_t k_megabyte = 1'000'000;
-
-std::int64_t expected_file_bytes(const std::string& file, const BusRecord& record) {
-  return trace_format(file) == TraceFormat::vcd ? expected_vcd_trace_bytes(record)
-                                                : expected_chrome_trace_bytes(record);
-}
 
 }  // namespace
 
@@ -31,7 +24,8 @@ TraceFiles::TraceFiles(TraceRequest request) : request_(std::move(request)) {
 std::string TraceFiles::remarks(const BusRecord& record) const {
   std::string text;
   for (const std::string& file : request_.files) {
-    if (const std::int64_t bytes = expected_file_bytes(file, record); bytes > k_large_bytes) {
+    if (const std::int64_t bytes = trace_format(file).expected_bytes(record);
+        bytes > k_large_bytes) {
       text += fmt::format("{}: will take about {} MB; --trace-window makes it smaller\n", file,
                           bytes / k_megabyte);
     }
@@ -46,11 +40,7 @@ std::string TraceFiles::remarks(const BusRecord& record) const {
 void TraceFiles::write(const BusRecord& record) {
   auto file = files_.begin();
   for (const std::string& name : request_.files) {
-    if (trace_format(name) == TraceFormat::vcd) {
-      write_vcd_trace(record, request_.boards, file->stream());
-    } else {
-      write_chrome_trace(record, request_.boards, file->stream());
-    }
+    trace_format(name).write(record, request_.boards, file->stream());
     ++file;
   }
   for (OutputFile& written : files_) {

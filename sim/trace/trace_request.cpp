@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <set>
 #include <stdexcept>
 
 #include "sim/fields/quantity.hpp"
+#include "sim/trace/trace_formats.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -94,15 +94,12 @@ std::vector<std::size_t> boards_of(const std::string& text, std::size_t count) {
 
 }  // namespace
 
-TraceFormat trace_format(const std::string& file) {
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension == ".json") {
-    return TraceFormat::chrome_json;
+const TraceFormat& trace_format(const std::string& file) {
+  const TraceFormat* format = find_trace_format(file);
+  if (format == nullptr) {
+    fail("--trace", file, fmt::format("has no known extension; allowed: {}", trace_extensions()));
   }
-  if (extension == ".vcd") {
-    return TraceFormat::vcd;
-  }
-  fail("--trace", file, "has no known extension; allowed: .json, .vcd");
+  return *format;
 }
 
 TraceRequest trace_request(const std::vector<std::string>& files, const std::string& window,

@@ -5,10 +5,9 @@
 #include <vector>
 
 #include "sim/trace/bus_record.hpp"
+#include "sim/trace/trace_format.hpp"
 
 namespace maquette::sim {
-
-enum class TraceFormat { chrome_json, vcd };
 
 /// What of a run is to be traced, and where to.
 struct TraceRequest {
@@ -17,8 +16,8 @@ struct TraceRequest {
   std::vector<std::size_t> boards;  ///< whose tracks are written, ascending
 };
 
-/// By the file's extension, .json or .vcd. Throws DescriptionError for another one.
-TraceFormat trace_format(const std::string& file);
+/// The format that a file's extension names. Throws DescriptionError for another one.
+const TraceFormat& trace_format(const std::string& file);
 
 /// Checks the texts of a command line: `window` is "T0..T1", times with units from the frame's
 /// start, of which each may be left out; `boards` is a list of numbers and ranges, e.g. "0,2..3",

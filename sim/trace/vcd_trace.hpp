@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/trace/bus_record.hpp"
+#include "sim/trace/trace_format.hpp"
 
 namespace maquette::sim {
 
@@ -25,5 +26,8 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
 
 /// About how long write_vcd_trace's output will be.
 std::int64_t expected_vcd_trace_bytes(const BusRecord& record);
+
+/// Value change dumps as a format of trace files.
+inline constexpr TraceFormat k_vcd_trace{".vcd", write_vcd_trace, expected_vcd_trace_bytes};
 
 }  // namespace maquette::sim

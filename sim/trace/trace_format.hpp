@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iosfwd>
+#include <string_view>
+#include <vector>
+
+#include "sim/trace/bus_record.hpp"
+
+namespace maquette::sim {
+
+/// A format of trace files. Each is declared beside its own functions and listed in one row of
+/// k_trace_formats.
+struct TraceFormat {
+  std::string_view extension;  ///< of its files, e.g. ".vcd"
+  /// Writes a record with the tracks of these boards.
+  void (*write)(const BusRecord& record, const std::vector<std::size_t>& boards,
+                std::ostream& stream);
+  /// About how long that will be.
+  std::int64_t (*expected_bytes)(const BusRecord& record);
+};
+
+}  // namespace maquette::sim
