@@ -1,6 +1,6 @@
 #include <set>
 
-#include "firmware/database.hpp"
+#include "sim/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 
@@ -25,10 +25,11 @@ bool is_study(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("Every primitive and every operator has a scene of its own") {
-  CHECK(scenes_in("primitives").size() == maquette::firmware::k_primitive_kind_count);
-  CHECK(scenes_in("primitives") == std::set<std::string>{"half_space", "box", "sphere", "cylinder",
-                                                         "cone", "revolution", "terrain",
-                                                         "algebraic", "prism", "patches"});
+  std::set<std::string> primitives;
+  for (const maquette::sim::PrimitiveDescription* primitive : maquette::sim::primitive_table()) {
+    primitives.emplace(primitive->name);
+  }
+  CHECK(scenes_in("primitives") == primitives);
   CHECK(scenes_in("operators") == std::set<std::string>{"union", "intersection", "difference"});
 }
 
