@@ -1,7 +1,5 @@
 #pragma once
 
-#include <type_traits>
-
 #include "firmware/primitives/algebraic.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/cone.hpp"
@@ -48,16 +46,22 @@ constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
   return k_primitives<Real>.rows[static_cast<int>(kind)];
 }
 
-template <class Kind, class... Kinds>
-constexpr PrimitiveKind place_in(PrimitiveList<Kinds...> /*kinds*/) {
-  int place = 0;
-  bool is_found = false;
-  ((is_found = is_found || std::is_same_v<Kind, Kinds>, place += is_found ? 0 : 1), ...);
-  return static_cast<PrimitiveKind>(place);
-}
+/// The place of a primitive in a list.
+template <class Kind, class List>
+struct PlaceIn;
+
+template <class Kind, class... Others>
+struct PlaceIn<Kind, PrimitiveList<Kind, Others...>> {
+  static constexpr int k_value = 0;
+};
+
+template <class Kind, class Other, class... Others>
+struct PlaceIn<Kind, PrimitiveList<Other, Others...>> {
+  static constexpr int k_value = 1 + PlaceIn<Kind, PrimitiveList<Others...>>::k_value;
+};
 
 /// The kind of the leaves of a primitive, e.g. kind_of<sphere::Kind>.
 template <class Kind>
-inline constexpr PrimitiveKind kind_of = place_in<Kind>(Primitives{});
+inline constexpr auto kind_of = static_cast<PrimitiveKind>(PlaceIn<Kind, Primitives>::k_value);
 
 }  // namespace maquette::firmware
