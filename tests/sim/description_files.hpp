@@ -13,9 +13,7 @@
 /// What the tests of descriptions share.
 namespace maquette::sim {
 
-inline std::filesystem::path data_directory() {
-  return MAQUETTE_PROJECT_DIRECTORY;
-}
+inline std::filesystem::path data_directory() { return MAQUETTE_PROJECT_DIRECTORY; }
 
 inline std::string read_text(const std::filesystem::path& file) {
   std::ifstream stream{file, std::ios::binary};

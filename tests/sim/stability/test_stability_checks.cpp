@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "sim/yaml/description_error.hpp"
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
 #include "tests/sim/scratch_directory.hpp"
 
