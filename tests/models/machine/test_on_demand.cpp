@@ -125,7 +125,8 @@ TEST_CASE("tries that keep the holder of the lock off the bus end the run with t
   parameters.allotment.claim.spin_clocks = 0;
   Run run("starved", parameters, zone({0, 0, 64, 48}),
           [](PixelPosition position) { return static_cast<std::uint32_t>(position.column); });
-  CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Contains("raise allotment.claim.spin"));
+  CHECK_THROWS_WITH(sc_core::sc_start(),
+                    Catch::Matchers::ContainsSubstring("raise allotment.claim.spin"));
 }
 
 TEST_CASE("a machine with fixed shares has no shared memory") {

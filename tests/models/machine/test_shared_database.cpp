@@ -214,7 +214,7 @@ TEST_CASE("a shared database must be given") {
   MachineParameters cheap = sharing(1);
   cheap.board.database_read.clocks = 100;
   CHECK_THROWS_WITH(CcettMachine("cheap", cheap, source, with_database({0, 0, 1, 1}, 8)),
-                    Catch::Contains("database_read"));
+                    Catch::Matchers::ContainsSubstring("database_read"));
 }
 
 }  // namespace
