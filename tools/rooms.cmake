@@ -67,6 +67,9 @@ function(add_room folder)
     add_library(${target} ${type} ${sources})
     set(access PUBLIC)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:maquette_options>)
+    # Messages name a source by its path in the project, wherever it was built; the last map that fits holds.
+    target_compile_options(${target} PRIVATE -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=
+                                             -fmacro-prefix-map=${mirror}/=)
     if(room_WITHOUT_SYSTEMC)
       target_include_directories(${target} BEFORE PRIVATE ${no_systemc})
     endif()
