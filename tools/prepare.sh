@@ -47,8 +47,8 @@ missing_packages() {
     done
 }
 
-# Installs what is missing to build the program, and for the purposes given besides: build (nothing more),
-# test, ci.
+# Installs what is missing to build the program, and for the purposes given besides: test, package,
+# ci.
 install_packages() {
   local missing administrator=()
   command -v dpkg-query >/dev/null ||
