@@ -92,7 +92,8 @@ constexpr bool are_in_program(const firmware::FacetTable& table) {
   return true;
 }
 
-static_assert(are_in_program(firmware::k_facet_distributions));
+static_assert(are_in_program(firmware::k_facet_distributions),
+              "the program of a board has no such function");
 
 bool is_called_by(const firmware::FacetDistribution& facets, std::string_view function) {
   return is_in_namespace(function, facets.name) ||
