@@ -13,9 +13,9 @@ Real facet_value(KindList<Last> /*kinds*/, const Surface<Real>& surface, Real co
   return Last::template k_value<Real>(surface, cosine);
 }
 
-/// The value of the distribution that a surface has, which is one of a list. Two rows share a switch,
-/// of which a compiler for the 68000 makes shorter code than of two questions; the last row of all
-/// needs none.
+/// The value of the distribution that a surface has, which is one of a list. Two rows share a
+/// switch, of which a compiler for the 68000 makes shorter code than of two questions; the last row
+/// of all needs none.
 template <class Real, class First, class Second, class... Others>
 Real facet_value(KindList<First, Second, Others...> /*kinds*/, const Surface<Real>& surface,
                  Real cosine) {
@@ -34,8 +34,8 @@ Real facet_value(KindList<First, Second, Others...> /*kinds*/, const Surface<Rea
 }
 
 /// D of a surface, times its scale. `cosine` of the angle alpha between facet and surface normals.
-/// Finding the row is charged alike however many there are: no scene pays for a distribution that it
-/// does not need.
+/// Finding the row is charged alike however many there are: no scene pays for a distribution that
+/// it does not need.
 template <class Real>
 Real facet_distribution(const Surface<Real>& surface, Real cosine) {
   charge<Real>(Operation::branch, 2);
