@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "2ff3fe2a0dd2023d3aca60a93963da4d3a8c761f";
+inline constexpr const char* k_board_firmware_version = "742ee61fc536c9006fc5e743486dbd4d7622b1a9";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
@@ -73,7 +73,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"cone::intersect", 1096, 124},
     {"cone::settle", 340, 56},
     {"convex_hit_limit", 4, 0},
-    {"cosine_power_distribution", 90, 24},
+    {"cosine_power::distribution", 90, 24},
     {"cross", 340, 44},
     {"cross_ahead", 180, 152},
     {"cross_convex", 158, 108},
@@ -96,7 +96,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"first_ahead", 66, 24},
     {"follow", 882, 228},
     {"fresnel_factor", 114, 60},
-    {"gaussian_distribution", 318, 52},
+    {"gaussian::distribution", 318, 52},
     {"glm::detail::compute_dot::call", 62, 32},
     {"glm::operator*", 74, 32},
     {"glm::operator+", 74, 32},
@@ -233,7 +233,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"transform_direction", 218, 92},
     {"transform_point", 62, 40},
     {"transmitted_over", 110, 36},
-    {"trowbridge_reitz_distribution", 80, 16},
+    {"trowbridge_reitz::distribution", 80, 16},
     {"united", 592, 156},
     {"united_medium", 78, 8},
     {"value_at", 168, 32},

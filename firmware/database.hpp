@@ -21,7 +21,6 @@ inline constexpr SurfaceIndex k_void = 0xFFFF;
 /// Which primitive a leaf is: its place in the table of primitives
 /// (primitives/primitive_table.hpp).
 enum class PrimitiveKind : std::uint8_t {};
-/// So many find room in the long word of bits that tells a board the needs of a scene.
 inline constexpr int k_primitive_kind_limit = 14;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
@@ -43,7 +42,10 @@ struct Composite {
   BooleanOperator combination;
 };
 
-enum class FacetDistribution : std::uint8_t { cosine_power, gaussian, trowbridge_reitz };
+/// How the normals of a surface's facets scatter: the place of a distribution in their table
+/// (facets/facet_table.hpp).
+enum class FacetKind : std::uint8_t {};
+inline constexpr int k_facet_kind_limit = 8;
 
 /// Optical properties (paper, section III).
 template <class Real>
@@ -53,10 +55,10 @@ struct Surface {
   bool metal;
   bool transparent;
   bool absorbing;
-  FacetDistribution facets;
+  FacetKind facets;
   Color<Real> index;       ///< dielectrics: the same for the three colours
   Color<Real> extinction;  ///< metals
-  Real facet_parameter;    ///< exponent; 1/m^2 with m in radians; c^2 - 1
+  Real facet_parameter;    ///< of the distribution
   Real facet_scale;        ///< makes the integral of D cos over the hemisphere pi/4
   Color<Real> absorption;  ///< per scene unit
 };
@@ -92,8 +94,8 @@ struct Needs {
   bool specular;  ///< a surface with s > 0: facets, Fresnel, reflected rays
   bool dielectrics;
   bool metals;
-  bool facets[3];
-  bool transparency;  ///< refracted rays
+  bool facets[k_facet_kind_limit];  ///< by FacetKind
+  bool transparency;                ///< refracted rays
   bool absorption;
   bool lights;
   bool shadows;

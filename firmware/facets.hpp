@@ -1,47 +1,47 @@
 #pragma once
 
 #include "firmware/arithmetic/elementary.hpp"
-#include "firmware/database.hpp"
+#include "firmware/facets/facet_table.hpp"
 
 /// Micro-facets of a rough surface: how their normals scatter (Blinn 1977, the paper's reference
 /// 13) and how they shade one another (Torrance and Sparrow 1967, reference 12). Functions that a
 /// scene may not need are never inlined, so that the board can do without their code.
 namespace maquette::firmware {
 
-/// Blinn's three distributions of the facet normals, times the surface's scale that makes the
-/// integral of D cos(alpha) over the hemisphere pi/4: then R_s = F D G / (pi cos theta cos phi)
-/// reflects what a mirror would. `cosine` of the angle alpha between facet and surface normals.
-template <class Real>
-[[gnu::noinline]] Real cosine_power_distribution(const Surface<Real>& surface, Real cosine) {
-  return surface.facet_scale * power(cosine, surface.facet_parameter);
+template <class Real, class Last>
+Real facet_value(KindList<Last> /*kinds*/, const Surface<Real>& surface, Real cosine) {
+  return Last::template k_value<Real>(surface, cosine);
 }
 
-template <class Real>
-[[gnu::noinline]] Real gaussian_distribution(const Surface<Real>& surface, Real cosine) {
-  const Real alpha = arc_cosine(cosine);
-  return surface.facet_scale * exponential(-(alpha * alpha * surface.facet_parameter));
+/// The value of the distribution that a surface has, which is one of a list. Two rows share a
+/// switch, of which a compiler for the 68000 makes shorter code than of two questions; the last row
+/// of all needs none.
+template <class Real, class First, class Second, class... Others>
+Real facet_value(KindList<First, Second, Others...> /*kinds*/, const Surface<Real>& surface,
+                 Real cosine) {
+  switch (static_cast<int>(surface.facets)) {
+    case static_cast<int>(facet_kind_of<First>):
+      return First::template k_value<Real>(surface, cosine);
+    case static_cast<int>(facet_kind_of<Second>):
+      return Second::template k_value<Real>(surface, cosine);
+    default:
+      if constexpr (sizeof...(Others) > 0) {
+        return facet_value(KindList<Others...>{}, surface, cosine);
+      } else {
+        return Second::template k_value<Real>(surface, cosine);
+      }
+  }
 }
 
-template <class Real>
-[[gnu::noinline]] Real trowbridge_reitz_distribution(const Surface<Real>& surface, Real cosine) {
-  const Real denominator = cosine * cosine * surface.facet_parameter + constant<Real>(1);
-  return surface.facet_scale / (denominator * denominator);
-}
-
+/// D of a surface, times its scale. `cosine` of the angle alpha between facet and surface normals.
+/// Finding the row is charged alike however many there are: no scene pays for a distribution that
+/// it does not need.
 template <class Real>
 Real facet_distribution(const Surface<Real>& surface, Real cosine) {
   charge<Real>(Operation::branch, 2);
   charge<Real>(Operation::load, 2);
   charge<Real>(Operation::call);
-  switch (surface.facets) {
-    case FacetDistribution::cosine_power:
-      return cosine_power_distribution(surface, cosine);
-    case FacetDistribution::gaussian:
-      return gaussian_distribution(surface, cosine);
-    case FacetDistribution::trowbridge_reitz:
-      break;
-  }
-  return trowbridge_reitz_distribution(surface, cosine);
+  return facet_value(FacetKinds{}, surface, cosine);
 }
 
 /// The share of facets that is neither masked nor in shadow: G of Torrance and Sparrow, as Blinn

@@ -26,6 +26,17 @@ struct SearchMethod {
   enum Value : std::uint8_t { subdivision, roots };
 };
 
+/// Whether a cell is narrowed to where its roots may be before it is halved.
+constexpr bool narrows(SearchMethod::Value method) {
+  switch (method) {
+    case SearchMethod::roots:
+      return true;
+    case SearchMethod::subdivision:
+      break;
+  }
+  return false;
+}
+
 /// A root in the patch, and the sense in which the boundary of its surroundings goes around it, 1
 /// or -1: it tells on which side of the patch the ray arrives.
 template <class Real>
@@ -262,7 +273,7 @@ template <class Real>
       return false;
     }
     const int bisections = cell.bisections();
-    if (method == SearchMethod::roots && !narrow(cell, along_u, along_v)) {
+    if (narrows(method) && !narrow(cell, along_u, along_v)) {
       return false;
     }
     if (cell.bisections() == bisections) {

@@ -112,7 +112,7 @@ void write_parameters(const Real* bezier_points, int patches, bool is_solid,
                       SearchMethod::Value method, Real* parameters) {
   parameters[0] = from_integer<Real>(patches);
   parameters[1] = constant<Real>(is_solid ? 1 : 0);
-  parameters[2] = constant<Real>(method == SearchMethod::roots ? 1 : 0);
+  parameters[2] = constant<Real>(narrows(method) ? 1 : 0);
   Real* boxes = parameters + k_header_reals;
   Real* points = boxes + (2 * patches - 1) * k_box_reals;
   for (int i = 0; i < patches * k_patch_stride; ++i) {

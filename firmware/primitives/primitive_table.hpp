@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/kind_list.hpp"
 #include "firmware/primitives/algebraic.hpp"
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/cone.hpp"
@@ -13,17 +14,11 @@
 
 namespace maquette::firmware {
 
-/// Primitives in the order of their PrimitiveKind.
-template <class... Kinds>
-struct PrimitiveList {
-  static constexpr int k_count = sizeof...(Kinds);
-};
-
 /// The table of primitives: each is one row here, its geometry in the header of its name; what a
 /// scene says of it stands in the header and the source of that name in sim/primitives.
 using Primitives =
-    PrimitiveList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
-                  revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind, patches::Kind>;
+    KindList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
+             revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind, patches::Kind>;
 
 inline constexpr int k_primitive_kind_count = Primitives::k_count;
 static_assert(k_primitive_kind_count <= k_primitive_kind_limit);
@@ -34,7 +29,7 @@ struct PrimitiveTable {
 };
 
 template <class Real, class... Kinds>
-constexpr PrimitiveTable<Real> primitive_table(PrimitiveList<Kinds...> /*kinds*/) {
+constexpr PrimitiveTable<Real> primitive_table(KindList<Kinds...> /*kinds*/) {
   return {{Kinds::template primitive<Real>()...}};
 }
 
@@ -45,20 +40,6 @@ template <class Real>
 constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
   return k_primitives<Real>.rows[static_cast<int>(kind)];
 }
-
-/// The place of a primitive in a list.
-template <class Kind, class List>
-struct PlaceIn;
-
-template <class Kind, class... Others>
-struct PlaceIn<Kind, PrimitiveList<Kind, Others...>> {
-  static constexpr int k_value = 0;
-};
-
-template <class Kind, class Other, class... Others>
-struct PlaceIn<Kind, PrimitiveList<Other, Others...>> {
-  static constexpr int k_value = 1 + PlaceIn<Kind, PrimitiveList<Others...>>::k_value;
-};
 
 /// The kind of the leaves of a primitive, e.g. kind_of<sphere::Kind>.
 template <class Kind>

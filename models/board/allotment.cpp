@@ -11,15 +11,17 @@ std::int64_t parts(int whole, int part) {
   return (static_cast<std::int64_t>(whole) + part - 1) / part;
 }
 
-void check(const AllotmentParameters& parameters, const PixelRectangle& zone, int boards) {
+void check(const PixelRectangle& zone, int boards) {
   if (boards < 1) {
     throw std::invalid_argument("pixels are allotted to at least one board");
   }
   if (zone.width < 0 || zone.height < 0) {
     throw std::invalid_argument("the useful zone must not have a negative size");
   }
-  if (parameters.order == Allotment::tiles &&
-      (parameters.tile_width < 1 || parameters.tile_height < 1)) {
+}
+
+void check_tile(const AllotmentParameters& parameters) {
+  if (parameters.tile_width < 1 || parameters.tile_height < 1) {
     throw std::invalid_argument("tiles must have pixels");
   }
 }
@@ -29,7 +31,7 @@ void check(const AllotmentParameters& parameters, const PixelRectangle& zone, in
 PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const PixelRectangle& zone,
                                int boards)
     : zone_(zone), unit_width_(std::max(zone.width, 1)) {
-  check(parameters, zone, boards);
+  check(zone, boards);
   switch (parameters.order) {
     case Allotment::interleaved_pixels:
       unit_width_ = 1;
@@ -40,6 +42,7 @@ PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const Pixe
       cut_in_bands_ = true;
       break;
     case Allotment::tiles:
+      check_tile(parameters);
       unit_width_ = parameters.tile_width;
       unit_height_ = parameters.tile_height;
       break;

@@ -34,8 +34,17 @@ double floor_of(const LadderResult& result) {
   return std::isfinite(least) ? std::pow(10, std::floor(std::log10(least)) - 1) : 1e-3;
 }
 
+const char* title_of(ErrorMeasure measure) {
+  switch (measure) {
+    case ErrorMeasure::frame_time:
+      return "error of the frame time, relative";
+    case ErrorMeasure::picture:
+      break;
+  }
+  return "mean error of the picture, levels of 255";
+}
+
 std::string settings_of(const LadderResult& result, double floor, const char* x_label) {
-  const bool is_time = result.ladder.measure == ErrorMeasure::frame_time;
   return fmt::format(
       "set title {}\nset xlabel {}\nset ylabel {}\nset logscale y\nset format y '%g'\n"
       "set ytics add ('0' {})\nset yrange [{}:*]\nset autoscale xfix\n"
@@ -43,9 +52,7 @@ std::string settings_of(const LadderResult& result, double floor, const char* x_
       "set bmargin 6\nset key horizontal center bottom at screen 0.5, 0.02\n",
       gnuplot_text(fmt::format("{}: {}", result.ladder.name, result.ladder.varies)),
       gnuplot_text(x_label),
-      gnuplot_text(fmt::format("{}, against {}",
-                               is_time ? "error of the frame time, relative"
-                                       : "mean error of the picture, levels of 255",
+      gnuplot_text(fmt::format("{}, against {}", title_of(result.ladder.measure),
                                result.ladder.reference_name())),
       floor, floor / 2);
 }

@@ -21,6 +21,17 @@ struct Level {
 /// mean difference of the picture's channels in levels of 255.
 enum class ErrorMeasure { frame_time, picture };
 
+/// Whether the simulated time can be what an error is weighed against.
+constexpr bool is_apart_from_time(ErrorMeasure measure) {
+  switch (measure) {
+    case ErrorMeasure::frame_time:
+      return false;
+    case ErrorMeasure::picture:
+      break;
+  }
+  return true;
+}
+
 /// A choice between error and run time: levels that differ in one thing, and which of them the
 /// others are held against. A ladder is one entry in ladders_of and knows nothing of the others, so
 /// a stronger reference is one more level in front.

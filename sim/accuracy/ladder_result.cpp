@@ -24,7 +24,7 @@ void mark_host_front(LadderResult& result) {
 void mark_simulated_front(LadderResult& result) {
   std::vector<Tradeoff> points;
   for (const LevelResult& level : result.levels) {
-    if (result.ladder.measure == ErrorMeasure::frame_time || !level.simulated) {
+    if (!is_apart_from_time(result.ladder.measure) || !level.simulated) {
       return;
     }
     points.push_back({in_seconds(level.simulated->frame), level.magnitude});

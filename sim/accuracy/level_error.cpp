@@ -51,8 +51,11 @@ LevelError error_of(const LevelOutcome& outcome, const LevelOutcome& reference) 
 }
 
 double magnitude_of(const LevelError& error, ErrorMeasure measure) {
-  if (measure == ErrorMeasure::picture) {
-    return error.picture.mean;
+  switch (measure) {
+    case ErrorMeasure::picture:
+      return error.picture.mean;
+    case ErrorMeasure::frame_time:
+      break;
   }
   const std::optional<double> relative =
       error.simulated ? error.simulated->frame.relative : std::nullopt;

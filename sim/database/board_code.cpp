@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "firmware/board_functions.hpp"
+#include "firmware/facets/facet_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
@@ -13,7 +14,8 @@ namespace {
 
 using firmware::Needs;
 
-/// A function that only some scenes need. What only some primitives need, their descriptions name.
+/// A function that only some scenes need. What only some primitives or distributions of facets
+/// need, their descriptions name.
 struct OptionalCode {
   CodeName code;
   bool (*is_needed)(const Needs& needs);
@@ -46,12 +48,7 @@ constexpr OptionalCode k_optional_code[] = {
     {"fresnel_factor", [](const Needs& needs) { return needs.specular; }},
     {"dielectric_border", [](const Needs& needs) { return needs.dielectrics; }},
     {"conductor_reflection", [](const Needs& needs) { return needs.metals; }},
-    {"cosine_power_distribution", [](const Needs& needs) { return needs.facets[0]; }},
-    {"gaussian_distribution", [](const Needs& needs) { return needs.facets[1]; }},
-    {"trowbridge_reitz_distribution", [](const Needs& needs) { return needs.facets[2]; }},
-    {"logarithm", [](const Needs& needs) { return needs.facets[0]; }},
-    {"exponential",
-     [](const Needs& needs) { return needs.facets[0] || needs.facets[1] || needs.absorption; }},
+    {"exponential", [](const Needs& needs) { return needs.absorption; }},
     {"glossy_transmission", [](const Needs& needs) { return needs.transparency && needs.lights; }},
     {"transmitted_over", [](const Needs& needs) { return needs.absorption; }},
     {"pass_node", [](const Needs& needs) { return needs.shadows; }},
@@ -76,20 +73,52 @@ bool is_called_by(const PrimitiveDescription& primitive, std::string_view functi
                      });
 }
 
-bool is_needed(std::string_view function, const Needs& needs) {
-  bool is_of_primitives = false;
-  for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {
-    if (is_called_by(*primitive_table()[kind], function)) {
-      is_of_primitives = true;
-      if (needs.primitives[kind]) {
-        return true;
-      }
+/// Whether a row of the table of distributions names code that the board's program has.
+constexpr bool is_in_program(const firmware::FacetDistribution& facets) {
+  for (const char* call : facets.calls) {
+    if (call != nullptr && !has_code(call)) {
+      return false;
     }
   }
-  const auto* const optional = std::find_if(
-      std::begin(k_optional_code), std::end(k_optional_code),
-      [function](const OptionalCode& code) { return holds(code.code.name, function); });
-  return !is_of_primitives && (optional == std::end(k_optional_code) || optional->is_needed(needs));
+  return has_namespace(facets.name);
+}
+
+constexpr bool are_in_program(const firmware::FacetTable& table) {
+  for (const firmware::FacetDistribution& facets : table.rows) {
+    if (!is_in_program(facets)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+static_assert(are_in_program(firmware::k_facet_distributions),
+              "the program of a board has no such function");
+
+bool is_called_by(const firmware::FacetDistribution& facets, std::string_view function) {
+  return is_in_namespace(function, facets.name) ||
+         std::any_of(std::begin(facets.calls), std::end(facets.calls),
+                     [&](const char* call) { return call != nullptr && function == call; });
+}
+
+/// What nobody calls in particular, every scene needs.
+bool is_needed(std::string_view function, const Needs& needs) {
+  bool is_optional = false;
+  bool is_called = false;
+  const auto add = [&](bool calls, bool is_caller_needed) {
+    is_optional = is_optional || calls;
+    is_called = is_called || (calls && is_caller_needed);
+  };
+  for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {
+    add(is_called_by(*primitive_table()[kind], function), needs.primitives[kind]);
+  }
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    add(is_called_by(firmware::k_facet_distributions.rows[kind], function), needs.facets[kind]);
+  }
+  for (const OptionalCode& optional : k_optional_code) {
+    add(holds(optional.code.name, function), optional.is_needed(needs));
+  }
+  return is_called || !is_optional;
 }
 
 std::int64_t chain_bytes(const CallChain& chain) {

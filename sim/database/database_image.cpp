@@ -1,12 +1,16 @@
 #include "sim/database/database_image.hpp"
 
-#include "firmware/primitives/primitive_table.hpp"
-
 #include <cstring>
+#include <iterator>
+
+#include "firmware/facets/facet_table.hpp"
+#include "firmware/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
 
 namespace {
+
+constexpr std::size_t k_long_word_bits = 32;
 
 class ImageWriter {
  public:
@@ -45,22 +49,28 @@ std::uint32_t number(Enumeration value) {
   return static_cast<std::uint32_t>(value);
 }
 
-/// The needs as bits, in the order of their declaration.
+/// The needs as the bits of a long word, in the order of their declaration.
 void write_needs(ImageWriter& writer, const firmware::Needs& needs) {
   std::uint32_t bits = 0;
   const auto add = [&bits](bool need) { bits = bits << 1U | static_cast<std::uint32_t>(need); };
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
     add(needs.primitives[kind]);
   }
-  for (const bool need : {needs.unions, needs.large_unions, needs.intersections, needs.differences,
-                          needs.diffuse, needs.specular, needs.dielectrics, needs.metals}) {
+  const bool before_facets[] = {needs.unions,      needs.large_unions, needs.intersections,
+                                needs.differences, needs.diffuse,      needs.specular,
+                                needs.dielectrics, needs.metals};
+  const bool after_facets[] = {needs.transparency, needs.absorption,  needs.lights, needs.shadows,
+                               needs.ambient,      needs.reflections, needs.depth};
+  static_assert(firmware::k_primitive_kind_count + firmware::k_facet_kind_count +
+                    std::size(before_facets) + std::size(after_facets) <=
+                k_long_word_bits);
+  for (const bool need : before_facets) {
     add(need);
   }
-  for (const bool distribution : needs.facets) {
-    add(distribution);
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    add(needs.facets[kind]);
   }
-  for (const bool need : {needs.transparency, needs.absorption, needs.lights, needs.shadows,
-                          needs.ambient, needs.reflections, needs.depth}) {
+  for (const bool need : after_facets) {
     add(need);
   }
   writer.word(bits >> 16U);

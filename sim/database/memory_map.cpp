@@ -14,8 +14,9 @@ namespace {
 
 /// A board that writes a line of pixels at once keeps them, a long word each, until then.
 std::int64_t line_buffer_bytes(const Machine& machine) {
-  const bool keeps_line = machine.parameters.board.pixel_write == models::PixelWrite::line;
-  return keeps_line ? std::int64_t{machine.parameters.frame_memory.width} * 4 : 0;
+  return models::keeps_line(machine.parameters.board.pixel_write)
+             ? std::int64_t{machine.parameters.frame_memory.width} * 4
+             : 0;
 }
 
 void refuse_above(const SourcePosition& position, std::int64_t needed, std::int64_t available,
@@ -35,8 +36,8 @@ MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_heigh
   const BoardCode code = board_code_of(database.needs);
   MemoryMap map;
   map.ram_bytes = machine.parameters.board.ram_bytes;
-  const bool has_copy = machine.parameters.board.database == models::DatabasePlace::own_copy;
-  map.database_bytes = has_copy ? firmware::database_bytes(database) : 0;
+  const bool is_shared = models::is_shared(machine.parameters.board.database);
+  map.database_bytes = is_shared ? 0 : firmware::database_bytes(database);
   map.left_out_bytes = code.left_out_bytes;
   map.crossings_needed = crossing_needs_of(database).space;
   map.rays_needed = firmware::pending_rays_needed(database.ray_depth, database.needs.transparency);

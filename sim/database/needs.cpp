@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
@@ -56,7 +57,7 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
   needs.absorption = any_surface(surfaces, [](const Packed& s) { return s.absorbing; });
   needs.lights = !scene.lights.empty();
   needs.shadows = scene.shadows && needs.lights;
-  for (int kind = 0; kind < 3; ++kind) {
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
     needs.facets[kind] = needs.lights && any_surface(surfaces, [kind](const Packed& s) {
                            return s.specular > 0 && static_cast<int>(s.facets) == kind;
                          });
@@ -79,11 +80,12 @@ std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
                              {"diffuse reflection", needs.diffuse},
                              {"specular reflection", needs.specular},
                              {"dielectrics", needs.dielectrics},
-                             {"metals", needs.metals},
-                             {"cosine power facets", needs.facets[0]},
-                             {"Gaussian facets", needs.facets[1]},
-                             {"Trowbridge-Reitz facets", needs.facets[2]},
-                             {"transparency", needs.transparency},
+                             {"metals", needs.metals}});
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    const firmware::FacetDistribution& facets = firmware::k_facet_distributions.rows[kind];
+    named.push_back({std::string{facets.title} + " facets", needs.facets[kind]});
+  }
+  named.insert(named.end(), {{"transparency", needs.transparency},
                              {"absorption", needs.absorption},
                              {"lights", needs.lights},
                              {"shadows", needs.shadows},

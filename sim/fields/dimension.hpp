@@ -26,6 +26,22 @@ enum class WholeDimension {
   lines
 };
 
+/// Whether the units of a dimension are powers of ten of one another.
+constexpr bool is_decimal(WholeDimension dimension) {
+  switch (dimension) {
+    case WholeDimension::count:
+    case WholeDimension::memory:
+    case WholeDimension::clocks:
+    case WholeDimension::bits:
+    case WholeDimension::pixels:
+    case WholeDimension::lines:
+      return false;
+    case WholeDimension::time:
+      break;
+  }
+  return true;
+}
+
 /// A unit of a real dimension: 10^decimal_exponent of the stored one.
 struct RealUnit {
   std::string_view name;

@@ -122,7 +122,7 @@ std::string format_quantity(std::int64_t value, WholeDimension dimension) {
     }
     // Powers of ten divide without loss: 10.5 us. Not so KiB, where 512 B is plainer anyway.
     Decimal decimal = to_decimal(value);
-    if (dimension == WholeDimension::time && !decimal.digits.empty()) {
+    if (is_decimal(dimension) && !decimal.digits.empty()) {
       decimal.exponent -= static_cast<int>(to_decimal(unit.factor).exponent);
       keep_shorter(shortest, with_unit(to_text(decimal), unit.name));
     }

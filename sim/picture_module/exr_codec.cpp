@@ -20,7 +20,13 @@ std::size_t pixels_of(const ExrImage& image) {
 }
 
 OIIO::TypeDesc type_of(ExrStorage storage) {
-  return storage == ExrStorage::code ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::UINT32;
+  switch (storage) {
+    case ExrStorage::code:
+      return OIIO::TypeDesc::HALF;
+    case ExrStorage::count:
+      break;
+  }
+  return OIIO::TypeDesc::UINT32;
 }
 
 OIIO::ImageSpec specification_of(const ExrImage& image) {
@@ -43,25 +49,40 @@ OIIO::ImageSpec specification_of(const ExrImage& image) {
   return specification;
 }
 
+std::uint16_t half_of(std::uint32_t code) {
+  return glm::packHalf1x16(static_cast<float>(code) / k_full_code);
+}
+
+std::uint32_t code_of(std::uint16_t half) {
+  return static_cast<std::uint32_t>(
+      std::lround(std::clamp(glm::unpackHalf1x16(half), 0.0F, 1.0F) * k_full_code));
+}
+
 // Each function puts the channel's value at one place of a pixel, or takes it from there.
 void put(const ExrChannel& channel, std::size_t pixel, char* place) {
-  if (channel.storage == ExrStorage::code) {
-    const std::uint16_t value =
-        glm::packHalf1x16(static_cast<float>(channel.values[pixel]) / k_full_code);
-    std::memcpy(place, &value, sizeof value);
-  } else {
-    std::memcpy(place, &channel.values[pixel], sizeof channel.values[pixel]);
+  switch (channel.storage) {
+    case ExrStorage::code: {
+      const std::uint16_t half = half_of(channel.values[pixel]);
+      std::memcpy(place, &half, sizeof half);
+      break;
+    }
+    case ExrStorage::count:
+      std::memcpy(place, &channel.values[pixel], sizeof channel.values[pixel]);
+      break;
   }
 }
 
 void take(ExrChannel& channel, std::size_t pixel, const char* place) {
-  if (channel.storage == ExrStorage::code) {
-    std::uint16_t value = 0;
-    std::memcpy(&value, place, sizeof value);
-    channel.values[pixel] = static_cast<std::uint32_t>(
-        std::lround(std::clamp(glm::unpackHalf1x16(value), 0.0F, 1.0F) * k_full_code));
-  } else {
-    std::memcpy(&channel.values[pixel], place, sizeof channel.values[pixel]);
+  switch (channel.storage) {
+    case ExrStorage::code: {
+      std::uint16_t half = 0;
+      std::memcpy(&half, place, sizeof half);
+      channel.values[pixel] = code_of(half);
+      break;
+    }
+    case ExrStorage::count:
+      std::memcpy(&channel.values[pixel], place, sizeof channel.values[pixel]);
+      break;
   }
 }
 

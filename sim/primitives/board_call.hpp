@@ -21,6 +21,16 @@ constexpr bool is_in_namespace(std::string_view function, std::string_view name)
   return function.substr(0, name.size()) == name && function.substr(name.size(), 2) == "::";
 }
 
+/// Whether the board's program has what is named: a function, or functions of a namespace.
+constexpr bool has_code(std::string_view name) {
+  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
+    if (holds(name, function.name)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether the board's program has functions in a namespace.
 constexpr bool has_namespace(std::string_view name) {
   for (const firmware::BoardFunction& function : firmware::k_board_functions) {
@@ -37,12 +47,9 @@ struct CodeName {
 
   /// To be evaluated while compiling.
   constexpr CodeName(const char* text) : name(text) {
-    for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-      if (holds(name, function.name)) {
-        return;
-      }
+    if (!has_code(name)) {
+      throw std::invalid_argument("the program of a board has no such function");
     }
-    throw std::invalid_argument("the program of a board has no such function");
   }
 };
 

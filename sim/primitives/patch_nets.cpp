@@ -25,7 +25,7 @@ struct GridSide {
 
 std::vector<PatchIndices> grid_indices(const PatchesShape& shape) {
   const PatchGrid& grid = *shape.grid;
-  const int stride = shape.basis == PatchBasis::bezier ? 3 : 1;
+  const int stride = meets_at_points(shape.basis) ? 3 : 1;
   const int rows = static_cast<int>(shape.points.size()) / grid.columns;
   const GridSide down{rows, grid.closed_columns, stride};
   const GridSide across{grid.columns, grid.closed_rows, stride};
@@ -106,8 +106,12 @@ std::vector<PatchNet> patch_nets(const PatchesShape& shape) {
     PatchNet& net = nets.emplace_back();
     std::transform(indices.begin(), indices.end(), net.begin(),
                    [&](int index) { return shape.points[static_cast<std::size_t>(index)]; });
-    if (shape.basis == PatchBasis::b_spline) {
-      firmware::patches::spline_to_bezier(&net[0].x);
+    switch (shape.basis) {
+      case PatchBasis::bezier:
+        break;
+      case PatchBasis::b_spline:
+        firmware::patches::spline_to_bezier(&net[0].x);
+        break;
     }
   }
   weld(nets);

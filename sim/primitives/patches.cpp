@@ -97,14 +97,14 @@ void check_numbers(const PatchesShape& shape, const YamlNode& node) {
 /// Points along one side of a grid: enough, and for Bezier points as many as whole patches have.
 void check_side(const PatchesShape& shape, const YamlNode& node, std::size_t points, bool closed,
                 const std::string& side) {
-  const bool is_bezier = shape.basis == PatchBasis::bezier;
+  const bool counts_by_patches = meets_at_points(shape.basis);
   const std::size_t least = closed ? 3 : 4;
-  const bool is_whole = !is_bezier || points % 3 == (closed ? 0 : 1);
+  const bool is_whole = !counts_by_patches || points % 3 == (closed ? 0 : 1);
   if (points < least || !is_whole) {
     const std::string spline = std::to_string(least) + " or more";
     fail(node, "grid",
          std::to_string(points) + " points in a " + side + "; " +
-             (is_bezier ? std::string{closed ? "3, 6, 9, ..." : "4, 7, 10, ..."} : spline) +
+             (counts_by_patches ? std::string{closed ? "3, 6, 9, ..." : "4, 7, 10, ..."} : spline) +
              " are allowed for " + (closed ? "a closed " : "an open ") + side);
   }
 }
@@ -246,6 +246,16 @@ void turn_over(std::vector<PatchNet>& nets) {
   }
 }
 
+firmware::patches::SearchMethod::Value search_method_of(PatchMethod method) {
+  switch (method) {
+    case PatchMethod::roots:
+      return firmware::patches::SearchMethod::roots;
+    case PatchMethod::subdivision:
+      break;
+  }
+  return firmware::patches::SearchMethod::subdivision;
+}
+
 }  // namespace
 
 LocalFrame frame_of(const PatchesShape& shape) {
@@ -269,9 +279,7 @@ LocalFrame frame_of(const PatchesShape& shape) {
   LocalFrame frame;
   frame.kind = firmware::kind_of<firmware::patches::Kind>;
   frame.parameters.resize(static_cast<std::size_t>(patches::parameter_count(count)));
-  patches::write_parameters(points.data(), count, shape.solid,
-                            shape.method == PatchMethod::roots ? patches::SearchMethod::roots
-                                                               : patches::SearchMethod::subdivision,
+  patches::write_parameters(points.data(), count, shape.solid, search_method_of(shape.method),
                             frame.parameters.data());
   frame.to_object = {size, 0, 0, 0, size, 0, 0, 0, size, middle.x, middle.y, middle.z};
   return frame;

@@ -12,6 +12,17 @@ namespace maquette::sim {
 
 enum class PatchBasis { bezier, b_spline };
 
+/// Whether patches share the points where they meet, as Bezier patches do; a spline's overlap.
+constexpr bool meets_at_points(PatchBasis basis) {
+  switch (basis) {
+    case PatchBasis::bezier:
+      return true;
+    case PatchBasis::b_spline:
+      break;
+  }
+  return false;
+}
+
 /// How rays are intersected with bicubic patches: the two ways that the paper names (section II.1).
 enum class PatchMethod { subdivision, roots };
 

@@ -8,7 +8,7 @@ namespace {
 using Table = std::array<const PrimitiveDescription*, firmware::k_primitive_kind_count>;
 
 template <class... Kinds>
-Table table_of(firmware::PrimitiveList<Kinds...> /*kinds*/) {
+Table table_of(firmware::KindList<Kinds...> /*kinds*/) {
   return {&description_of<Kinds>()...};
 }
 

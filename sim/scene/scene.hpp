@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/facets/facet_table.hpp"
 #include "sim/primitives/primitive.hpp"
 #include "sim/yaml/source_position.hpp"
 
@@ -36,8 +37,6 @@ struct Light {
   Color intensity{1, 1, 1};
 };
 
-enum class FacetDistribution { cosine_power, gaussian, trowbridge_reitz };
-
 /// A named surface and, for transparent bodies, the matter behind it (paper, section III).
 struct Surface {
   std::string name;
@@ -46,7 +45,7 @@ struct Surface {
   bool metal = false;          ///< Fresnel factor from index and extinction per colour
   Color index{1.5, 1.5, 1.5};  ///< dielectrics have the same for the three colours
   Color extinction{0, 0, 0};
-  FacetDistribution facets = FacetDistribution::cosine_power;
+  firmware::FacetKind facets = firmware::facet_kind_of<firmware::cosine_power::Kind>;
   double half_angle_deg = 10;  ///< Blinn's beta: where the facet distribution falls to one half
   bool transparent = false;
   Color absorption{0, 0, 0};  ///< per scene unit of length

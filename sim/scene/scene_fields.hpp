@@ -44,13 +44,20 @@ void declare_light(Visitor& visitor, Light& light) {
                 k_intensity);
 }
 
+/// The rows of the firmware's table of distributions.
+inline ChoiceType<firmware::FacetKind> facet_choices() {
+  ChoiceType<firmware::FacetKind> type;
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    const auto facets = static_cast<firmware::FacetKind>(kind);
+    type.choices.emplace_back(firmware::distribution_of(facets).name, facets);
+  }
+  return type;
+}
+
 template <class Visitor>
 void declare_facets(Visitor& visitor, Surface& surface) {
-  visitor.field(
-      {"facets", "distribution of the facets' slopes (Blinn)"}, surface.facets,
-      ChoiceType<FacetDistribution>{{{"cosine_power", FacetDistribution::cosine_power},
-                                     {"gaussian", FacetDistribution::gaussian},
-                                     {"trowbridge_reitz", FacetDistribution::trowbridge_reitz}}});
+  visitor.field({"facets", "distribution of the facets' slopes (Blinn)"}, surface.facets,
+                facet_choices());
   visitor.field({"half_angle", "where the distribution falls to one half"}, surface.half_angle_deg,
                 RealType{RealDimension::angle, {0.01, 89}});
 }

@@ -1,7 +1,11 @@
 #include "sim/stability/extreme_scenes.hpp"
 
-#include <cmath>
+#include <fmt/format.h>
 
+#include <cmath>
+#include <string>
+
+#include "firmware/facets/facet_table.hpp"
 #include "sim/scene/placement.hpp"
 #include "sim/stability/random_cases.hpp"
 #include "sim/stability/tally.hpp"
@@ -32,7 +36,7 @@ void set_index(Scene& scene, double index) {
   }
 }
 
-void set_roughness(Scene& scene, FacetDistribution facets, double half_angle_deg) {
+void set_roughness(Scene& scene, firmware::FacetKind facets, double half_angle_deg) {
   for (Surface& surface : scene.surfaces) {
     surface.facets = facets;
     surface.half_angle_deg = half_angle_deg;
@@ -94,8 +98,8 @@ void move_lights(Scene& scene, const Vector3& position) {
 }
 
 constexpr double k_thin = 1e-6;
-constexpr double k_least_half_angle_deg = 0.01;
-constexpr double k_largest_half_angle_deg = 89;
+/// The least and the largest half angle of a scene.
+constexpr double k_half_angles_deg[] = {0.01, 89};
 
 const Extreme k_extremes[] = {
     {"flat, 1e-6 along z",
@@ -117,22 +121,6 @@ const Extreme k_extremes[] = {
     {"index 1", [](Scene& s) { set_index(s, 1); }},
     {"index 10", [](Scene& s) { set_index(s, 10); }},
     {"index 0.1, total reflection from outside", [](Scene& s) { set_index(s, 0.1); }},
-    {"cosine power of 0.01 deg",
-     [](Scene& s) { set_roughness(s, FacetDistribution::cosine_power, k_least_half_angle_deg); }},
-    {"cosine power of 89 deg",
-     [](Scene& s) { set_roughness(s, FacetDistribution::cosine_power, k_largest_half_angle_deg); }},
-    {"gaussian of 0.01 deg",
-     [](Scene& s) { set_roughness(s, FacetDistribution::gaussian, k_least_half_angle_deg); }},
-    {"gaussian of 89 deg",
-     [](Scene& s) { set_roughness(s, FacetDistribution::gaussian, k_largest_half_angle_deg); }},
-    {"Trowbridge-Reitz of 0.01 deg",
-     [](Scene& s) {
-       set_roughness(s, FacetDistribution::trowbridge_reitz, k_least_half_angle_deg);
-     }},
-    {"Trowbridge-Reitz of 89 deg",
-     [](Scene& s) {
-       set_roughness(s, FacetDistribution::trowbridge_reitz, k_largest_half_angle_deg);
-     }},
     {"ray tree of depth 64", deepen},
     {"all of glass, depth 64",
      [](Scene& s) {
@@ -167,20 +155,38 @@ struct ExtremeTally {
   void operator+=(const ExtremeTally& other) { unsound += other.unsound; }
 };
 
+/// How all scenes fare when driven to one extreme.
+template <class Real, class Apply>
+StabilityRow extreme_row(const std::vector<ShippedScene>& scenes, const std::string& name,
+                         const Apply& apply, const PictureFormat& format = k_format,
+                         int stride = 1) {
+  const auto add = [&](int number, ExtremeTally& tally) {
+    Scene scene = scenes[static_cast<std::size_t>(number)].scene;
+    apply(scene);
+    const PreparedScene<Real> prepared(packed_scene<Real>(scene, format));
+    tally.unsound += trial_picture(prepared, stride).unsound;
+  };
+  const auto tally = tally_over<ExtremeTally>(static_cast<int>(scenes.size()), add);
+  return {"extreme", name, "pixels without a luminance", 1.0 * tally.unsound, 0};
+}
+
 }  // namespace
 
 template <class Real>
 std::vector<StabilityRow> extreme_scene_rows(const std::vector<ShippedScene>& scenes) {
   std::vector<StabilityRow> rows;
   for (const Extreme& extreme : k_extremes) {
-    const auto add = [&](int number, ExtremeTally& tally) {
-      Scene scene = scenes[static_cast<std::size_t>(number)].scene;
-      extreme.apply(scene);
-      const PreparedScene<Real> prepared(packed_scene<Real>(scene, extreme.format));
-      tally.unsound += trial_picture(prepared, extreme.stride).unsound;
-    };
-    const auto tally = tally_over<ExtremeTally>(static_cast<int>(scenes.size()), add);
-    rows.push_back({"extreme", extreme.name, "pixels without a luminance", 1.0 * tally.unsound, 0});
+    rows.push_back(
+        extreme_row<Real>(scenes, extreme.name, extreme.apply, extreme.format, extreme.stride));
+  }
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    for (const double half_angle_deg : k_half_angles_deg) {
+      const auto facets = static_cast<firmware::FacetKind>(kind);
+      rows.push_back(extreme_row<Real>(
+          scenes,
+          fmt::format("{} of {} deg", firmware::distribution_of(facets).title, half_angle_deg),
+          [&](Scene& scene) { set_roughness(scene, facets, half_angle_deg); }));
+    }
   }
   return rows;
 }

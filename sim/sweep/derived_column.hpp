@@ -13,6 +13,18 @@ enum class Derivation {
   ratio        ///< `of` over `over`, a column or a number
 };
 
+/// Whether a number may stand for the column `over`.
+constexpr bool takes_number(Derivation derivation) {
+  switch (derivation) {
+    case Derivation::speed_up:
+    case Derivation::efficiency:
+      return false;
+    case Derivation::ratio:
+      break;
+  }
+  return true;
+}
+
 /// A column that a study adds to its table. A series are the rows that agree in every varied
 /// parameter but `over`; its first row is that of the smallest point number.
 struct DerivedColumn {

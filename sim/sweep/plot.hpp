@@ -14,6 +14,32 @@ enum class PlotKind {
   scatter     ///< `y` over `x`, marked where `band` lies between band_low and band_high
 };
 
+/// Whether a plot draws its values over a column `x`.
+constexpr bool needs_x(PlotKind kind) {
+  switch (kind) {
+    case PlotKind::tornado:
+    case PlotKind::histogram:
+      return false;
+    case PlotKind::lines:
+    case PlotKind::scatter:
+      break;
+  }
+  return true;
+}
+
+/// Whether a plot compares points that vary a single axis each.
+constexpr bool needs_single_axes(PlotKind kind) {
+  switch (kind) {
+    case PlotKind::lines:
+    case PlotKind::histogram:
+    case PlotKind::scatter:
+      return false;
+    case PlotKind::tornado:
+      break;
+  }
+  return true;
+}
+
 /// A plot of a study. Columns are named as in the table, without their units.
 struct Plot {
   std::string name;  ///< of its files

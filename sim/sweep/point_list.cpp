@@ -97,19 +97,18 @@ std::int64_t zip_size(const std::vector<Axis>& axes,
 }  // namespace
 
 PointList::PointList(const Study& study, const OwnValues& own) : design_(study.design) {
-  const bool is_sampled = design_ == StudyDesign::latin_hypercube;
-  const auto shares = is_sampled
+  const auto shares = is_sampled(design_)
                           ? latin_hypercube(static_cast<int>(study.axes.size()), study.samples,
                                             static_cast<std::uint64_t>(study.seed))
                           : std::vector<std::vector<double>>{};
   std::int64_t values = 0;
   for (const Axis& axis : study.axes) {
     const bool is_whole = own.is_whole(axis.path);
-    if (is_sampled) {
+    if (is_sampled(design_)) {
       check_can_be_sampled(axis);
       values_.push_back(sampled_values(axis, is_whole, shares[values_.size()]));
     } else {
-      values_.push_back(all_values(axis, is_whole, design_ == StudyDesign::one_at_a_time));
+      values_.push_back(all_values(axis, is_whole, varies_single_axes(design_)));
     }
     values += static_cast<std::int64_t>(values_.back().size());
   }

@@ -28,7 +28,15 @@ class PointList {
 
 /// The design's point that varies nothing; -1 when it has none.
 [[nodiscard]] constexpr int plain_point(StudyDesign design) {
-  return design == StudyDesign::one_at_a_time || design == StudyDesign::latin_hypercube ? 0 : -1;
+  switch (design) {
+    case StudyDesign::grid:
+    case StudyDesign::zip:
+      return -1;
+    case StudyDesign::one_at_a_time:
+    case StudyDesign::latin_hypercube:
+      break;
+  }
+  return 0;
 }
 
 }  // namespace maquette::sim

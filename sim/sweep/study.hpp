@@ -20,6 +20,32 @@ enum class StudyDesign {
   latin_hypercube  ///< point 0 varies nothing; the others stratify every axis evenly
 };
 
+/// Whether each point but the plain one varies a single axis.
+constexpr bool varies_single_axes(StudyDesign design) {
+  switch (design) {
+    case StudyDesign::grid:
+    case StudyDesign::zip:
+    case StudyDesign::latin_hypercube:
+      return false;
+    case StudyDesign::one_at_a_time:
+      break;
+  }
+  return true;
+}
+
+/// Whether axes are sampled, instead of having all of their values taken.
+constexpr bool is_sampled(StudyDesign design) {
+  switch (design) {
+    case StudyDesign::grid:
+    case StudyDesign::zip:
+    case StudyDesign::one_at_a_time:
+      return false;
+    case StudyDesign::latin_hypercube:
+      break;
+  }
+  return true;
+}
+
 /// What a sweep varies around which description, and what is to be drawn of it.
 struct Study {
   std::string name;

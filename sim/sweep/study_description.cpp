@@ -46,10 +46,14 @@ class Inliner {
   }
 
   void part(YamlNode& node, DescriptionPart kind, const std::optional<YamlNode>& machine) const {
-    if (kind == DescriptionPart::scene) {
-      scene(node, machine);
-    } else {
-      inline_files(node, kind, data_, input_files_);
+    switch (kind) {
+      case DescriptionPart::scene:
+        scene(node, machine);
+        break;
+      case DescriptionPart::machine:
+      case DescriptionPart::arithmetic:
+        inline_files(node, kind, data_, input_files_);
+        break;
     }
   }
 

@@ -85,12 +85,11 @@ void require_column(const Table& table, const std::string& name, const YamlPlace
 }
 
 void check_plot(const Table& table, const Plot& plot, StudyDesign design) {
-  if (plot.kind == PlotKind::tornado && design != StudyDesign::one_at_a_time) {
+  if (needs_single_axes(plot.kind) && !varies_single_axes(design)) {
     throw DescriptionError(plot.place.position(), "a tornado plot needs the design one_at_a_time");
   }
-  const bool needs_x = plot.kind == PlotKind::lines || plot.kind == PlotKind::scatter;
   require_column(table, plot.y, plot.place);
-  if (needs_x) {
+  if (needs_x(plot.kind)) {
     require_column(table, plot.x, plot.place);
   }
   for (const std::string& optional : {plot.series, plot.band}) {
@@ -127,7 +126,7 @@ void check_columns(const StudyPoints& points) {
   const Table table = study_table(points, PointResults(static_cast<std::size_t>(points.size())));
   for (const DerivedColumn& column : points.study().columns) {
     require_column(table, column.of, column.place);
-    if (column.derivation != Derivation::ratio || !number_in(column.over)) {
+    if (!takes_number(column.derivation) || !number_in(column.over)) {
       require_column(table, column.over, column.place);
     }
   }

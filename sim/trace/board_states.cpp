@@ -55,6 +55,20 @@ class Tiling {
 
 }  // namespace
 
+const char* name_of(BoardState state) {
+  switch (state) {
+    case BoardState::compute:
+      return "compute";
+    case BoardState::wait_grant:
+      return "wait for grant";
+    case BoardState::transfer:
+      return "transfer";
+    case BoardState::idle:
+      break;
+  }
+  return "idle";
+}
+
 std::vector<StateInterval> board_states(const BusRecord& record, std::size_t board) {
   Tiling tiling(record.window);
   for (const RecordedAccess& access : accesses_of(record, board)) {

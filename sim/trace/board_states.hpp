@@ -10,8 +10,8 @@ namespace maquette::sim {
 /// What a board does; a run's statistics have the same four.
 enum class BoardState { compute, wait_grant, transfer, idle };
 
-inline constexpr const char* k_board_state_names[] = {"compute", "wait for grant", "transfer",
-                                                      "idle"};
+/// In traces.
+[[nodiscard]] const char* name_of(BoardState state);
 
 /// One stay in a state.
 struct StateInterval {

@@ -82,8 +82,7 @@ class ChromeTrace {
         k_boards_process, thread,
         fmt::format("{} (level {})", record_.boards[number].name, record_.boards[number].level));
     for (const StateInterval& interval : board_states(record_, number)) {
-      event(R"({{"ph":"B","name":"{}","ts":{},"pid":{},"tid":{}}})",
-            k_board_state_names[static_cast<std::size_t>(interval.state)],
+      event(R"({{"ph":"B","name":"{}","ts":{},"pid":{},"tid":{}}})", name_of(interval.state),
             Microseconds(interval.from).text(), k_boards_process, thread);
       close(interval.to, k_boards_process, thread);
     }

@@ -16,6 +16,7 @@ constexpr int k_levels = 5;
 constexpr int k_address_bits = 32;
 constexpr int k_owner_bits = 16;
 constexpr int k_state_bits = 2;
+static_assert(static_cast<int>(BoardState::idle) < 1 << k_state_bits);
 constexpr std::uint32_t k_minus_one = ~std::uint32_t{0};
 
 constexpr const char* k_header = R"($comment
@@ -34,6 +35,16 @@ enum class Kind {
   active_low,  ///< a count of those that assert it: 0 above zero
   vector       ///< the last value set; may float
 };
+
+constexpr bool is_count(Kind kind) {
+  switch (kind) {
+    case Kind::active_low:
+      return true;
+    case Kind::vector:
+      break;
+  }
+  return false;
+}
 
 struct Signal {
   std::string scope;
@@ -199,7 +210,7 @@ class VcdTrace {
 
   void apply(const Change& change) {
     State& state = states_[change.signal];
-    const bool adds = signals_[change.signal].kind == Kind::active_low;
+    const bool adds = is_count(signals_[change.signal].kind);
     state.value = adds ? state.value + change.value : change.value;
     state.floats = change.floats;
     if (!state.is_touched) {
@@ -249,7 +260,7 @@ class VcdTrace {
   [[nodiscard]] std::string shown_value(std::size_t number) const {
     const Signal& signal = signals_[number];
     const State& state = states_[number];
-    if (signal.kind == Kind::active_low) {
+    if (is_count(signal.kind)) {
       return fmt::format("{}{}\n", state.value > 0 ? 0 : 1, state.identifier);
     }
     const std::string value = state.floats ? "z" : fmt::format("{:b}", state.value);

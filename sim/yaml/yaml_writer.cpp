@@ -82,21 +82,34 @@ void write_entries(const YamlNode& node, std::size_t indentation, std::string& t
   }
 }
 
+/// The items of a sequence, a line or more for each.
+void write_items(const YamlNode& node, std::size_t indentation, std::string& text) {
+  for (const YamlNode& item : node.items) {
+    text.append(indentation, ' ').append("- ");
+    if (item.kind == YamlKind::mapping && !item.entries.empty()) {
+      write_entries(item, indentation + 2, text);
+    } else {
+      text.append(write_flow(item)).append("\n");
+    }
+  }
+}
+
 void write_block(const YamlNode& node, std::size_t indentation, std::string& text) {
   if (is_short(node)) {
     text.append(indentation, ' ').append(write_flow(node)).append("\n");
-  } else if (node.kind == YamlKind::mapping) {
-    text.append(indentation, ' ');
-    write_entries(node, indentation, text);
-  } else {
-    for (const YamlNode& item : node.items) {
-      text.append(indentation, ' ').append("- ");
-      if (item.kind == YamlKind::mapping && !item.entries.empty()) {
-        write_entries(item, indentation + 2, text);
-      } else {
-        text.append(write_flow(item)).append("\n");
-      }
-    }
+    return;
+  }
+  switch (node.kind) {
+    case YamlKind::null:
+    case YamlKind::scalar:
+      break;
+    case YamlKind::mapping:
+      text.append(indentation, ' ');
+      write_entries(node, indentation, text);
+      break;
+    case YamlKind::sequence:
+      write_items(node, indentation, text);
+      break;
   }
 }
 

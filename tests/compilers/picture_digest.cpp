@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "firmware/arithmetic/counted.hpp"
+#include "tests/firmware/facet_surface.hpp"
 #include "tests/firmware/random_model.hpp"
 
 // Renders random scenes with everything in them and prints a digest of their pixels and of the work
@@ -26,19 +27,15 @@ class Digest {
   std::uint64_t value_ = 0xCBF29CE484222325U;
 };
 
-/// Surfaces of every kind, the three facet distributions among them.
+/// Surfaces of every kind, all facet distributions among them.
 Model furnished_model() {
   Model model;
   model.add(glass_surface(1.5, {0.3, 0.1, 0.5}));
   model.add(mirror_surface());
-  for (const FacetDistribution facets :
-       {FacetDistribution::cosine_power, FacetDistribution::gaussian,
-        FacetDistribution::trowbridge_reitz}) {
-    Surface<double> glossy = matt_surface({0.7, 0.4, 0.2});
+  for (const FacetKind facets : facet_kinds()) {
+    Surface<double> glossy = facet_surface(facets, 0.2);
+    glossy.diffuse = {0.7, 0.4, 0.2};
     glossy.specular = 0.4;
-    glossy.facets = facets;
-    glossy.facet_parameter = facets == FacetDistribution::trowbridge_reitz ? -0.8 : 30;
-    glossy.facet_scale = 2;
     model.add(glossy);
   }
   model.lights = {{{4, 5, -3}, {2, 2, 1.5}}, {{-5, 2, 1}, {0.7, 0.8, 1}}};

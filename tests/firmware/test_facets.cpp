@@ -9,47 +9,38 @@
 namespace maquette::firmware {
 namespace {
 
-constexpr FacetDistribution k_distributions[] = {FacetDistribution::cosine_power,
-                                                 FacetDistribution::gaussian,
-                                                 FacetDistribution::trowbridge_reitz};
-constexpr double k_degree = elementary::k_pi / 180;
+using Power = cosine_power::Kind;
+using Gaussian = gaussian::Kind;
+using Ellipsoids = trowbridge_reitz::Kind;
 
-TEST_CASE("Every distribution falls to one half of its peak at the half angle") {
-  for (const FacetDistribution distribution : k_distributions) {
-    for (const double half_angle_deg : {1.0, 5.0, 20.0, 40.0, 60.0}) {
-      const Surface<double> surface = trial::facet_surface(distribution, half_angle_deg * k_degree);
-      const double peak = facet_distribution(surface, 1.0);
-      const double half = facet_distribution(surface, std::cos(half_angle_deg * k_degree));
-      CAPTURE(static_cast<int>(distribution), half_angle_deg);
-      CHECK(half / peak == Approx(0.5).epsilon(1e-9));
-    }
-  }
+/// The value of a kind as found in a list.
+template <class Kind, class List>
+double value_in(const Surface<double>& surface, double cosine) {
+  Surface<double> of_kind = surface;
+  of_kind.facets = facet_kind_of<Kind>;
+  return facet_value(List{}, of_kind, cosine);
 }
 
-TEST_CASE("Distributions fall with the angle and are never negative") {
-  for (const FacetDistribution distribution : k_distributions) {
-    const Surface<double> surface = trial::facet_surface(distribution, 20 * k_degree);
-    double last = facet_distribution(surface, 1.0);
-    for (int step = 1; step <= 100; ++step) {
-      const double value = facet_distribution(surface, 1 - 0.01 * step);
-      REQUIRE(value <= last);
-      REQUIRE(value >= 0);
-      last = value;
-    }
-  }
-}
-
-TEMPLATE_TEST_CASE("Single and double precision agree on every distribution", "", float) {
-  trial::Random random(901);
-  for (const FacetDistribution distribution : k_distributions) {
-    const Surface<double> surface = trial::facet_surface(distribution, 10 * k_degree);
-    const auto rounded = trial::rounded<float>(surface);
-    for (int i = 0; i < 1000; ++i) {
-      const auto cosine = static_cast<float>(random.uniform(0.9, 1));
-      const double exact = facet_distribution(surface, static_cast<double>(cosine));
-      REQUIRE(static_cast<double>(facet_distribution(rounded, cosine)) ==
-              Approx(exact).epsilon(1e-4));
-    }
+TEST_CASE("A surface has the values of its own distribution, however many a table lists") {
+  trial::Random random(906);
+  for (int i = 0; i < 1000; ++i) {
+    const double cosine = random.uniform(0, 1);
+    const Surface<double> surface =
+        trial::facet_surface(facet_kind_of<Power>, random.uniform(0.01, 1.5));
+    const double power = cosine_power::distribution(surface, cosine);
+    const double gauss = gaussian::distribution(surface, cosine);
+    const double ratio = trowbridge_reitz::distribution(surface, cosine);
+    REQUIRE(value_in<Power, KindList<Power>>(surface, cosine) == power);
+    REQUIRE(value_in<Power, KindList<Gaussian, Power>>(surface, cosine) == power);
+    REQUIRE(value_in<Gaussian, KindList<Gaussian, Power>>(surface, cosine) == gauss);
+    REQUIRE(value_in<Power, FacetKinds>(surface, cosine) == power);
+    REQUIRE(value_in<Gaussian, FacetKinds>(surface, cosine) == gauss);
+    REQUIRE(value_in<Ellipsoids, FacetKinds>(surface, cosine) == ratio);
+    // Four rows: the third and the fourth stand in a switch of their own.
+    REQUIRE(value_in<Gaussian, KindList<Power, Ellipsoids, Gaussian, Power>>(surface, cosine) ==
+            gauss);
+    REQUIRE(value_in<Gaussian, KindList<Power, Ellipsoids, Power, Gaussian>>(surface, cosine) ==
+            gauss);
   }
 }
 

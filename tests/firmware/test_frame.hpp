@@ -16,7 +16,7 @@ inline Surface<double> matt_surface(const Color<double>& diffuse = {1, 1, 1}) {
   Surface<double> surface{};
   surface.diffuse = diffuse;
   surface.index = {1.5, 1.5, 1.5};
-  surface.facets = FacetDistribution::cosine_power;
+  surface.facets = facet_kind_of<cosine_power::Kind>;
   surface.facet_parameter = 50;
   surface.facet_scale = (50 + 2) / 8.0;
   return surface;
@@ -49,7 +49,9 @@ inline Needs all_needs() {
   needs.several_spans = true;
   needs.unions = needs.intersections = needs.differences = true;
   needs.diffuse = needs.specular = needs.dielectrics = needs.metals = true;
-  needs.facets[0] = needs.facets[1] = needs.facets[2] = true;
+  for (bool& facets : needs.facets) {
+    facets = true;
+  }
   needs.transparency = needs.absorption = needs.lights = needs.shadows = needs.ambient = true;
   needs.reflections = true;
   return needs;

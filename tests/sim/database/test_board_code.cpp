@@ -1,5 +1,6 @@
 #include "sim/database/board_code.hpp"
 
+#include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 
@@ -43,8 +44,8 @@ TEST_CASE("Every primitive and facet distribution can be left out on its own") {
     needs.primitives[kind] = false;
     CHECK(sim::board_code_of(needs).left_out_bytes > 0);
   }
-  for (int kind = 0; kind < 3; ++kind) {
-    INFO("facets " << kind);
+  for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
+    INFO(firmware::k_facet_distributions.rows[kind].name);
     firmware::Needs needs = all_needs();
     needs.facets[kind] = false;
     CHECK(sim::board_code_of(needs).left_out_bytes > 0);

@@ -1,6 +1,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/facets/facet_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/sim/description_files.hpp"
 
@@ -142,6 +143,10 @@ TEST_CASE("values of the wrong type, unit or range are reported with what is all
               "scene.yaml:5:24: diffuse: `1.01` is out of range; allowed: 0 to 1", "");
   check_error(with_surface("  red: {facets: gausian}"), "scene.yaml:5:17: facets: `gausian`",
               "did you mean `gaussian`?");
+  for (const firmware::FacetDistribution& facets : firmware::k_facet_distributions.rows) {
+    check_error(with_surface("  red: {facets: rough}"), "scene.yaml:5:17: facets: `rough`",
+                facets.name);
+  }
   check_error(with_object("object: {sphere: {radius: 0}, surface: red}"),
               "scene.yaml:6:27: radius: `0` is out of range; allowed: above 0, to ", "");
   check_error(with_lights("lights: {a.b: {position: [1, 2, 3]}}"),

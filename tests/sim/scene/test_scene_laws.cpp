@@ -45,13 +45,13 @@ std::vector<Surface> all_surfaces() {
   surfaces[1].name = "plastic";
   surfaces[1].diffuse = {0.2, 0.4, 0.8};
   surfaces[1].specular = 0.3;
-  surfaces[1].facets = FacetDistribution::gaussian;
+  surfaces[1].facets = firmware::facet_kind_of<firmware::gaussian::Kind>;
   surfaces[2].name = "silver";
   surfaces[2].specular = 1;
   surfaces[2].metal = true;
   surfaces[2].index = {0.2, 0.3, 0.4};
   surfaces[2].extinction = {3, 3, 3};
-  surfaces[2].facets = FacetDistribution::trowbridge_reitz;
+  surfaces[2].facets = firmware::facet_kind_of<firmware::trowbridge_reitz::Kind>;
   surfaces[3].name = "glass";
   surfaces[3].specular = 1;
   surfaces[3].transparent = true;
