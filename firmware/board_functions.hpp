@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "742ee61fc536c9006fc5e743486dbd4d7622b1a9";
+inline constexpr const char* k_board_firmware_version = "e5f9ac3ae6a9be036490871892a6808ebabdba0a";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
@@ -111,7 +111,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"half_space::settle", 36, 0},
     {"higher", 100, 36},
     {"hits_of", 68, 24},
-    {"k_primitives", 180, 0},
+    {"k_primitives", 198, 0},
     {"laguerre::refined", 804, 100},
     {"length", 26, 8},
     {"light_from", 946, 272},
@@ -230,6 +230,14 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"terrain::sample", 114, 36},
     {"terrain::settle", 622, 176},
     {"times_derivative", 252, 208},
+    {"torus::CentralRay::at", 100, 44},
+    {"torus::along_chord", 452, 148},
+    {"torus::bounds", 60, 0},
+    {"torus::hit_limit", 4, 0},
+    {"torus::hits_of_chord", 184, 100},
+    {"torus::intersect", 800, 232},
+    {"torus::linear", 110, 36},
+    {"torus::settle", 442, 96},
     {"transform_direction", 218, 92},
     {"transform_point", 62, 40},
     {"transmitted_over", 110, 36},

@@ -21,7 +21,8 @@ inline constexpr SurfaceIndex k_void = 0xFFFF;
 /// Which primitive a leaf is: its place in the table of primitives
 /// (primitives/primitive_table.hpp).
 enum class PrimitiveKind : std::uint8_t {};
-inline constexpr int k_primitive_kind_limit = 14;
+/// So many are told apart.
+inline constexpr int k_primitive_kind_limit = 32;
 
 enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 

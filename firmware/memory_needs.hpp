@@ -21,9 +21,15 @@ inline constexpr std::int64_t k_light_bytes = 6 * k_real_bytes;
 /// Both frames, left, top, step, columns, rows.
 inline constexpr std::int64_t k_observer_bytes =
     2 * k_affine_bytes + 3 * k_real_bytes + 2 * k_word_bytes;
-/// Three counts and the root as long words, three words, the needs as bits; ambient, background,
-/// least weight.
-inline constexpr std::int64_t k_header_bytes = 13 * k_word_bytes + 7 * k_real_bytes;
+/// Bits that tell a board the needs of a scene besides its primitives.
+inline constexpr int k_further_need_bits = 18;
+/// Words of the needs as bits, one for each primitive and the further ones.
+inline constexpr std::int64_t k_need_words =
+    (k_primitive_kind_count + k_further_need_bits + 15) / 16;
+/// Three counts and the root as long words, three words, the needs; ambient, background, least
+/// weight.
+inline constexpr std::int64_t k_header_bytes =
+    (11 + k_need_words) * k_word_bytes + 7 * k_real_bytes;
 
 /// Both frames and the scale.
 inline constexpr std::int64_t k_prepared_leaf_bytes = 2 * k_affine_bytes + k_real_bytes;

@@ -98,7 +98,7 @@ template <class Real>
 Real radius_of(PrimitiveKind kind, const Box<Real>& local, const Affine<Real>& to_screen,
                const Vector<Real>& center) {
   charge<Real>(Operation::branch);
-  if (kind == kind_of<sphere::Kind>) {
+  if (fits_unit_ball(kind, Primitives{})) {
     return stretch(to_screen);
   }
   Real radius = constant<Real>(0);

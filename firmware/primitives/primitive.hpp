@@ -37,6 +37,12 @@ struct Primitive {
   bool is_convex;
 };
 
+/// Whether every primitive of a kind lies in the unit ball of its local frame, which is smaller
+/// than the ball through the corners of its box; a kind of which that is true says so beside
+/// itself.
+template <class Kind>
+inline constexpr bool k_fits_unit_ball = false;
+
 inline constexpr int k_convex_hit_limit = 2;
 
 /// The most hits that any primitive has on a ray.

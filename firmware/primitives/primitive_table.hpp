@@ -11,14 +11,15 @@
 #include "firmware/primitives/revolution.hpp"
 #include "firmware/primitives/sphere.hpp"
 #include "firmware/primitives/terrain.hpp"
+#include "firmware/primitives/torus.hpp"
 
 namespace maquette::firmware {
 
 /// The table of primitives: each is one row here, its geometry in the header of its name; what a
 /// scene says of it stands in the header and the source of that name in sim/primitives.
-using Primitives =
-    KindList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
-             revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind, patches::Kind>;
+using Primitives = KindList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
+                            revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind,
+                            patches::Kind, torus::Kind>;
 
 inline constexpr int k_primitive_kind_count = Primitives::k_count;
 static_assert(k_primitive_kind_count <= k_primitive_kind_limit);
@@ -44,5 +45,13 @@ constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
 /// The kind of the leaves of a primitive, e.g. kind_of<sphere::Kind>.
 template <class Kind>
 inline constexpr auto kind_of = static_cast<PrimitiveKind>(PlaceIn<Kind, Primitives>::k_value);
+
+/// Whether the primitives of a kind lie in the unit ball. No table, so that it takes no more code
+/// than a comparison with each kind of which that is true.
+template <class... Kinds>
+[[gnu::always_inline]] constexpr bool fits_unit_ball(PrimitiveKind kind,
+                                                     KindList<Kinds...> /*kinds*/) {
+  return ((k_fits_unit_ball<Kinds> && kind == kind_of<Kinds>) || ...);
+}
 
 }  // namespace maquette::firmware

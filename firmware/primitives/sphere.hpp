@@ -42,3 +42,10 @@ struct Kind {
 };
 
 }  // namespace maquette::firmware::sphere
+
+namespace maquette::firmware {
+
+template <>
+inline constexpr bool k_fits_unit_ball<sphere::Kind> = true;
+
+}  // namespace maquette::firmware

@@ -6,6 +6,7 @@
 
 #include "firmware/board_functions.hpp"
 #include "firmware/facets/facet_table.hpp"
+#include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
@@ -121,6 +122,27 @@ bool is_needed(std::string_view function, const Needs& needs) {
   return is_called || !is_optional;
 }
 
+constexpr std::string_view k_table = "k_primitives";
+constexpr std::int64_t k_table_bytes = board_function(k_table)->code_bytes;
+static_assert(k_table_bytes % firmware::k_primitive_kind_count == 0);
+
+/// Rows of the table of primitives, whose places are the kinds, up to the last that the scene
+/// needs.
+std::int64_t needed_table_bytes(const Needs& needs) {
+  int rows = k_resident_primitives;
+  for (int kind = rows; kind < firmware::k_primitive_kind_count; ++kind) {
+    rows = needs.primitives[kind] ? kind + 1 : rows;
+  }
+  return k_table_bytes / firmware::k_primitive_kind_count * rows;
+}
+
+std::int64_t needed_bytes(const firmware::BoardFunction& function, const Needs& needs) {
+  if (function.name == k_table) {
+    return needed_table_bytes(needs);
+  }
+  return is_needed(function.name, needs) ? function.code_bytes : 0;
+}
+
 std::int64_t chain_bytes(const CallChain& chain) {
   constexpr std::int64_t k_return_address_bytes = 4;
   std::int64_t bytes = 0;
@@ -135,30 +157,32 @@ constexpr Call k_cross_call[] = {{"cross"}};
 constexpr Call k_shadow_call[] = {{"pass_node"}};
 constexpr Call k_nearest_call[] = {{"cross_nearest"}};
 constexpr Call k_ahead_call[] = {{"cross_ahead"}};
-/// The deepest chain of calls below a leaf of a convex primitive, a cone's; every scene has room
-/// for it.
-constexpr Call k_convex_calls[] = {{"cross_convex"},
-                                   {"cone::intersect"},
-                                   {"hits_of"},
-                                   {"transform_point"},
-                                   {"transform_direction"}};
+
+/// Whether the stack has room for the calls below a leaf of a primitive: of a resident convex one
+/// in every scene.
+bool has_room_for_calls(int kind, const Needs& needs) {
+  const bool is_convex = firmware::k_primitives<float>.rows[kind].is_convex;
+  return needs.primitives[kind] || (kind < k_resident_primitives && is_convex);
+}
 
 }  // namespace
 
 BoardCode board_code_of(const Needs& needs) {
   BoardCode code{};
   for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-    (is_needed(function.name, needs) ? code.needed_bytes : code.left_out_bytes) +=
-        function.code_bytes;
+    const std::int64_t needed = needed_bytes(function, needs);
+    code.needed_bytes += needed;
+    code.left_out_bytes += function.code_bytes - needed;
   }
   return code;
 }
 
 std::int64_t board_stack_bytes(int tree_height, const Needs& needs) {
-  std::int64_t deepest = chain_bytes(k_convex_calls);
-  for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {
-    if (needs.primitives[kind]) {
-      deepest = std::max(deepest, chain_bytes(primitive_table()[kind]->call_chain));
+  std::int64_t deepest = 0;
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    if (has_room_for_calls(kind, needs)) {
+      const PrimitiveDescription& primitive = *primitive_table()[static_cast<std::size_t>(kind)];
+      deepest = std::max(deepest, chain_bytes(primitive.call_chain));
     }
   }
   std::int64_t bytes = chain_bytes(k_pixel_calls) + deepest;

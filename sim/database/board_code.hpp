@@ -6,6 +6,11 @@
 
 namespace maquette::sim {
 
+/// The first primitives of the table, whose rows of it stand in every board's program. A row behind
+/// them is there only as far as the scene needs it, so that a further primitive takes nothing from
+/// the scenes that do without it.
+inline constexpr int k_resident_primitives = 10;
+
 /// Code of the firmware as compiled for the 68000, in bytes.
 struct BoardCode {
   std::int64_t needed_bytes;    ///< what a scene's needs make a board hold

@@ -1,7 +1,6 @@
 #include "sim/database/database_image.hpp"
 
 #include <cstring>
-#include <iterator>
 
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
@@ -9,8 +8,6 @@
 namespace maquette::sim {
 
 namespace {
-
-constexpr std::size_t k_long_word_bits = 32;
 
 class ImageWriter {
  public:
@@ -49,32 +46,32 @@ std::uint32_t number(Enumeration value) {
   return static_cast<std::uint32_t>(value);
 }
 
-/// The needs as the bits of a long word, in the order of their declaration.
+/// The needs as bits, the highest of the first word first. Primitives come last, so that a further
+/// one moves no bit.
 void write_needs(ImageWriter& writer, const firmware::Needs& needs) {
-  std::uint32_t bits = 0;
-  const auto add = [&bits](bool need) { bits = bits << 1U | static_cast<std::uint32_t>(need); };
-  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
-    add(needs.primitives[kind]);
-  }
-  const bool before_facets[] = {needs.unions,      needs.large_unions, needs.intersections,
-                                needs.differences, needs.diffuse,      needs.specular,
-                                needs.dielectrics, needs.metals};
-  const bool after_facets[] = {needs.transparency, needs.absorption,  needs.lights, needs.shadows,
-                               needs.ambient,      needs.reflections, needs.depth};
-  static_assert(firmware::k_primitive_kind_count + firmware::k_facet_kind_count +
-                    std::size(before_facets) + std::size(after_facets) <=
-                k_long_word_bits);
-  for (const bool need : before_facets) {
-    add(need);
+  std::vector<bool> bits;
+  for (const bool need : {needs.unions, needs.large_unions, needs.intersections, needs.differences,
+                          needs.diffuse, needs.specular, needs.dielectrics, needs.metals}) {
+    bits.push_back(need);
   }
   for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
-    add(needs.facets[kind]);
+    bits.push_back(needs.facets[kind]);
   }
-  for (const bool need : after_facets) {
-    add(need);
+  for (const bool need : {needs.transparency, needs.absorption, needs.lights, needs.shadows,
+                          needs.ambient, needs.reflections, needs.depth}) {
+    bits.push_back(need);
   }
-  writer.word(bits >> 16U);
-  writer.word(bits);
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    bits.push_back(needs.primitives[kind]);
+  }
+  constexpr std::size_t k_word_bits = 16;
+  for (std::size_t first = 0; first < bits.size(); first += k_word_bits) {
+    std::uint32_t word = 0;
+    for (std::size_t i = first; i < first + k_word_bits; ++i) {
+      word = word << 1U | static_cast<std::uint32_t>(i < bits.size() && bits[i]);
+    }
+    writer.word(word);
+  }
 }
 
 /// Counts and the root are long words, where a large scene may need them.

@@ -31,7 +31,8 @@ struct PrimitiveDescription {
   int root_tolerance = k_no_tolerance;
   /// Code outside of its namespace in the board's program that not every scene needs.
   std::array<CodeList, 3> shared_code{};
-  /// The deepest chain of calls below a leaf, for the stack; none: that of the convex primitives.
+  /// The deepest chain of calls below a leaf, for the stack; none: no deeper than every scene has
+  /// room for.
   CallChain call_chain{};
 
   static constexpr int k_no_tolerance = -1;

@@ -1,11 +1,9 @@
 #pragma once
 
+#include "tests/firmware/convex_solids.hpp"
 #include "tests/firmware/test_frame.hpp"
 
 namespace maquette::firmware::trial {
-
-/// The kinds that take no parameters but the cone's; they come first.
-inline constexpr int k_simple_kind_count = 5;
 
 /// A model of primitives near a center, combined at random.
 struct RandomTree {
@@ -13,13 +11,13 @@ struct RandomTree {
   NodeIndex root;
 };
 
-/// Of `solid_count` simple primitives around `center`, within about `spread` of it. Surfaces
+/// Of `solid_count` convex primitives around `center`, within about `spread` of it. Surfaces
 /// are taken from the model given.
 inline RandomTree random_tree(Random& random, Model model, int solid_count,
                               const Vector<double>& center, double spread) {
   std::vector<NodeIndex> nodes;
   for (int i = 0; i < solid_count; ++i) {
-    const auto kind = static_cast<PrimitiveKind>(random.below(k_simple_kind_count));
+    const PrimitiveKind kind = k_convex_solids[random.below(k_convex_solid_count)].kind;
     const auto surface =
         static_cast<SurfaceIndex>(random.below(static_cast<int>(model.surfaces.size())));
     const Vector<double> place = center + random.in_cube(spread / 2);

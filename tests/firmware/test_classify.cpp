@@ -2,81 +2,23 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "tests/catch.hpp"
-#include "tests/firmware/random_model.hpp"
+#include "tests/firmware/line_sums.hpp"
 
 namespace maquette::firmware {
 namespace {
 
 using trial::BuiltFrame;
+using trial::check_body;
+using trial::line_sums;
+using trial::LineSums;
 using trial::Model;
 using trial::Placement;
 using trial::Random;
 
 constexpr double k_pi = elementary::k_pi;
 
-/// What uniform isotropic random lines through a sphere tell of a body inside of it: the mean
-/// length of its chords gives the volume, the mean number of crossings the area (Cauchy and
-/// Crofton).
-struct LineSums {
-  double volume;
-  double volume_error;  ///< standard error
-  double area;
-  double area_error;
-};
-
-template <class Real>
-LineSums line_sums(BuiltFrame<Real>& built, const Vector<double>& center, double radius,
-                   std::uint32_t seed) {
-  constexpr int k_lines = 30000;
-  Random random(seed);
-  double chords = 0;
-  double chords_squared = 0;
-  double crossings = 0;
-  double crossings_squared = 0;
-  for (int i = 0; i < k_lines; ++i) {
-    const Vector<double> direction = random.direction();
-    const Vector<double> aside = random.direction_around(direction, 0);
-    const double off = radius * std::sqrt(random.uniform());
-    const auto met = built.crossings_of(center + aside * off - direction * (2 * radius), direction);
-    double chord = 0;
-    for (std::size_t k = 0; k + 1 < met.size(); k += 2) {
-      chord += static_cast<double>(met[k + 1].distance) - static_cast<double>(met[k].distance);
-    }
-    const auto count = static_cast<double>(met.size());
-    chords += chord;
-    chords_squared += chord * chord;
-    crossings += count;
-    crossings_squared += count * count;
-  }
-  const double disc = k_pi * radius * radius;
-  const auto error_of = [](double sum, double squares) {
-    const double mean = sum / k_lines;
-    return std::sqrt((squares / k_lines - mean * mean) / k_lines);
-  };
-  return {disc * chords / k_lines, disc * error_of(chords, chords_squared),
-          2 * disc * crossings / k_lines, 2 * disc * error_of(crossings, crossings_squared)};
-}
-
-/// Places the model at random, without distortion, and compares what lines tell with closed values.
-/// The body must lie within `radius` of the model's origin.
-template <class Real, class Build>
-void check_body(const Build& build, double radius, double volume, double area) {
-  for (const std::uint32_t seed : {601U, 602U}) {
-    Random random(seed);
-    const double size = random.magnitude(0.01, 100);
-    const Vector<double> center = random.in_cube(5) * size;
-    Model model;
-    const Placement placement = random.placement(center, size, 1);
-    const NodeIndex root = build(model, placement);
-    BuiltFrame<Real> built(model, root);
-    const LineSums sums = line_sums(built, center, radius * size, seed);
-    CAPTURE(seed, size);
-    CHECK(std::fabs(sums.volume - volume * size * size * size) < 4 * sums.volume_error);
-    CHECK(std::fabs(sums.area - area * size * size) < 4 * sums.area_error);
-  }
-}
-
-TEMPLATE_TEST_CASE("Chords give the volume and the area of every primitive", "", float, double) {
+TEMPLATE_TEST_CASE("Chords give the volume and the area of every convex primitive", "", float,
+                   double) {
   const auto single = [](PrimitiveKind kind, double parameter) {
     return [=](Model& model, const Placement& placement) {
       return model.add(kind, placement, 0, parameter);
@@ -99,14 +41,20 @@ TEMPLATE_TEST_CASE("Chords give the volume and the area of every primitive", "",
 
 TEMPLATE_TEST_CASE("Chords give the volume of distorted primitives", "", float, double) {
   Random random(603);
-  const double volumes[] = {8, 4 * k_pi / 3, 2 * k_pi, k_pi / 3};
+  const struct {
+    PrimitiveKind kind;
+    double volume;
+  } solids[] = {{kind_of<box::Kind>, 8},
+                {kind_of<sphere::Kind>, 4 * k_pi / 3},
+                {kind_of<cylinder::Kind>, 2 * k_pi},
+                {kind_of<cone::Kind>, k_pi / 3}};
   for (int i = 0; i < 8; ++i) {
     const Placement placement = random.placement(random.in_cube(3), 1, 3);
     Model model;
-    const NodeIndex root = model.add(static_cast<PrimitiveKind>(1 + i % 4), placement);
+    const NodeIndex root = model.add(solids[i % 4].kind, placement);
     BuiltFrame<TestType> built(model, root);
     const LineSums sums = line_sums(built, placement[3], 1.8, 604);
-    CHECK(std::fabs(sums.volume - volumes[i % 4] * std::fabs(trial::determinant(placement))) <
+    CHECK(std::fabs(sums.volume - solids[i % 4].volume * std::fabs(trial::determinant(placement))) <
           4 * sums.volume_error);
   }
 }

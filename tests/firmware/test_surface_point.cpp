@@ -1,12 +1,15 @@
 #include "firmware/surface_point.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/firmware/convex_solids.hpp"
 #include "tests/firmware/test_frame.hpp"
 
 namespace maquette::firmware {
 namespace {
 
 using trial::BuiltFrame;
+using trial::ConvexSolid;
+using trial::k_convex_solids;
 using trial::Model;
 using trial::Placement;
 using trial::Random;
@@ -39,18 +42,6 @@ Vector<double> leaving_direction(Random& random, const SurfacePoint<Real>& point
   const double lowest = kind == kind_of<half_space::Kind> ? 1e-5 : 1e-7;
   const double cosine = random.coin() ? random.uniform(0.01, 1) : random.magnitude(lowest, 0.1);
   return random.direction_around(glm::normalize(trial::exact(point.normal)), cosine);
-}
-
-/// A point inside of the primitive in its local frame.
-Vector<double> inner_point(PrimitiveKind kind) {
-  switch (kind) {
-    case kind_of<half_space::Kind>:
-      return {0, 0, -0.5};
-    case kind_of<cone::Kind>:
-      return {0, 0, 0.95};
-    default:
-      return {0, 0, 0};
-  }
 }
 
 /// What rays meet: sizes and distances, the latter in units of the size.
@@ -91,7 +82,8 @@ void spawn_from(Random& random, BuiltFrame<Real>& built, PrimitiveKind kind,
 
 /// Aims rays at a primitive, from outside, and spawns others from where they meet it.
 template <class Real>
-Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& setting, int trials) {
+Outcome spawn_rays(const ConvexSolid& solid, std::uint32_t seed, const Setting& setting,
+                   int trials) {
   Random random(seed);
   Outcome outcome;
   for (int trial = 0; trial < trials; ++trial) {
@@ -99,10 +91,10 @@ Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& settin
     const Vector<double> center =
         random.direction() * (size * random.magnitude(setting.eye_low, setting.eye_high));
     const Placement placement = random.placement(center, size, setting.axis_ratio);
-    const Vector<double> inside = transform_point(placement, inner_point(kind));
+    const Vector<double> inside = transform_point(placement, solid.inner_point);
     Model model;
     const NodeIndex root =
-        model.add(kind, placement, 0, random.coin() ? 0 : random.uniform(0.1, 0.9));
+        model.add(solid.kind, placement, 0, random.coin() ? 0 : random.uniform(0.1, 0.9));
     BuiltFrame<Real> built(model, root);
     for (int ray = 0; ray < 8; ++ray) {
       const Vector<double> aim = transform_point(placement, random.in_cube());
@@ -110,22 +102,19 @@ Outcome spawn_rays(PrimitiveKind kind, std::uint32_t seed, const Setting& settin
           aim -
           random.direction() * (size * random.magnitude(setting.origin_low, setting.origin_high));
       const auto query = trial::unit_query<Real>(from, glm::normalize(aim - from));
-      spawn_from(random, built, kind, inside, query, outcome);
+      spawn_from(random, built, solid.kind, inside, query, outcome);
     }
   }
   return outcome;
 }
 
-constexpr PrimitiveKind k_kinds[] = {kind_of<half_space::Kind>, kind_of<box::Kind>,
-                                     kind_of<sphere::Kind>, kind_of<cylinder::Kind>,
-                                     kind_of<cone::Kind>};
 constexpr int k_turns = 600;
 
 TEMPLATE_TEST_CASE("Rays spawned near the eye leave and stay inside", "", float, double) {
   const Setting setting{10, 1e-6, 10, 2, 10};
-  for (const PrimitiveKind kind : k_kinds) {
-    CAPTURE(static_cast<int>(kind));
-    const Outcome outcome = spawn_rays<TestType>(kind, 201, setting, k_turns);
+  for (const ConvexSolid& solid : k_convex_solids) {
+    CAPTURE(static_cast<int>(solid.kind));
+    const Outcome outcome = spawn_rays<TestType>(solid, 201, setting, k_turns);
     CHECK(outcome.spawned > 500);
     CHECK(outcome.inside_out == 0);
     CHECK(outcome.met_again == 0);
@@ -135,22 +124,22 @@ TEMPLATE_TEST_CASE("Rays spawned near the eye leave and stay inside", "", float,
 
 TEMPLATE_TEST_CASE("Rays spawned where far rays arrive leave", "", float, double) {
   const Setting setting{10, 1e-6, 10, 10, 1e6};
-  for (const PrimitiveKind kind : k_kinds) {
-    CAPTURE(static_cast<int>(kind));
-    const Outcome outcome = spawn_rays<TestType>(kind, 202, setting, k_turns);
+  for (const ConvexSolid& solid : k_convex_solids) {
+    CAPTURE(static_cast<int>(solid.kind));
+    const Outcome outcome = spawn_rays<TestType>(solid, 202, setting, k_turns);
     CHECK(outcome.spawned > 500);
     CHECK(outcome.inside_out == 0);
     CHECK(outcome.met_again == 0);
     // Rounding may have brought the point to an edge, where a ray inwards leaves at once.
-    CHECK(outcome.fell_out <= (kind == kind_of<sphere::Kind> ? 0 : outcome.spawned / 50));
+    CHECK(outcome.fell_out <= (solid.kind == kind_of<sphere::Kind> ? 0 : outcome.spawned / 50));
   }
 }
 
 TEMPLATE_TEST_CASE("Rays spawned far from the eye leave", "", float, double) {
   const Setting setting{10, 10, 1e6, 2, 1e6};
-  for (const PrimitiveKind kind : k_kinds) {
-    CAPTURE(static_cast<int>(kind));
-    const Outcome outcome = spawn_rays<TestType>(kind, 203, setting, k_turns);
+  for (const ConvexSolid& solid : k_convex_solids) {
+    CAPTURE(static_cast<int>(solid.kind));
+    const Outcome outcome = spawn_rays<TestType>(solid, 203, setting, k_turns);
     CHECK(outcome.spawned > 500);
     CHECK(outcome.inside_out == 0);
     CHECK(outcome.met_again == 0);

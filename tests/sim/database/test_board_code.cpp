@@ -1,7 +1,10 @@
 #include "sim/database/board_code.hpp"
 
+#include <algorithm>
 #include "firmware/facets/facet_table.hpp"
+
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 
 using namespace maquette;
@@ -49,6 +52,32 @@ TEST_CASE("Every primitive and facet distribution can be left out on its own") {
     firmware::Needs needs = all_needs();
     needs.facets[kind] = false;
     CHECK(sim::board_code_of(needs).left_out_bytes > 0);
+  }
+}
+
+TEST_CASE("A primitive takes code only from the scenes that need it") {
+  const auto row =
+      sim::board_function("k_primitives")->code_bytes / firmware::k_primitive_kind_count;
+  const auto bare = sim::board_code_of(firmware::Needs{}).needed_bytes;
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    INFO("primitive " << kind);
+    const sim::PrimitiveDescription& primitive =
+        *sim::primitive_table()[static_cast<std::size_t>(kind)];
+    std::int64_t own = row * std::max(0, kind + 1 - sim::k_resident_primitives);
+    for (const firmware::BoardFunction& function : firmware::k_board_functions) {
+      const bool is_shared = std::any_of(
+          primitive.shared_code.begin(), primitive.shared_code.end(),
+          [&](const sim::CodeList& list) {
+            return std::any_of(list.begin(), list.end(), [&](const sim::CodeName& code) {
+              return sim::holds(code.name, function.name);
+            });
+          });
+      const bool is_own = sim::is_in_namespace(function.name, primitive.name);
+      own += is_own || is_shared ? function.code_bytes : 0;
+    }
+    firmware::Needs needs{};
+    needs.primitives[kind] = true;
+    CHECK(sim::board_code_of(needs).needed_bytes == bare + own);
   }
 }
 
