@@ -9,7 +9,7 @@ namespace maquette::models::mc68000 {
 /// The condition codes, kept as they fall out of an operation and composed only when they are read.
 struct ConditionCodes {
   std::uint32_t sign = 0;      // N is its highest bit
-  std::uint32_t non_zero = 0;  // Z is set when this is zero
+  std::uint32_t non_zero = 1;  // Z is set when this is zero
   bool overflow = false;
   bool carry = false;
   bool extend = false;
