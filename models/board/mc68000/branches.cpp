@@ -54,6 +54,7 @@ void branch_to_subroutine(ExecutionUnit& unit, unsigned word) {
   throw Fault{StopReason::later_encoding};
 }
 
+// The word at the target is fetched before the counter is looked at.
 template <unsigned condition>
 void decrement_and_branch(ExecutionUnit& unit, unsigned word) {
   const std::uint32_t target = branch_target<true>(unit, word);
@@ -61,10 +62,11 @@ void decrement_and_branch(ExecutionUnit& unit, unsigned word) {
     unit.counter.charge_cycles(2);
     return;
   }
+  ExecutionUnit::check_target(target);
   const auto counter = static_cast<std::uint16_t>(unit.registers.data(word) - 1);
   write_data_register<OperandSize::word>(unit, word, counter);
   if (counter != 0xffff) {
-    unit.jump(target);
+    unit.registers.program_counter = target;
   } else {
     unit.counter.charge(packed({4, 1}));
   }

@@ -41,9 +41,14 @@ struct ExecutionUnit {
     return value;
   }
 
-  /// Throws Fault for an odd address.
-  void jump(std::uint32_t target) {
+  /// Throws Fault for an odd address, where no instruction can be.
+  static void check_target(std::uint32_t target) {
     if ((target & 1U) != 0) throw Fault{StopReason::odd_address, target};
+  }
+
+  /// Throws as check_target().
+  void jump(std::uint32_t target) {
+    check_target(target);
     registers.program_counter = target;
   }
 

@@ -112,6 +112,9 @@ TEST_CASE("branches of later processors and to odd addresses stop") {
   CHECK(stop.access_address == 0x1005);
   CHECK(stop.instruction_address == 0x1000);
   CHECK(board.registers().program_counter == 0x1000);
+  board.d(0) = 0;  // DBF looks at its target even when it does not loop
+  CHECK(board.execute({0x51c8, 0x0003}).reason == StopReason::odd_address);
+  CHECK(board.execute({0x50c8, 0x0003}).reason == StopReason::cycle_limit);
   board.set_codes(0);
   CHECK(board.execute({0x6703}).reason == StopReason::cycle_limit);  // BEQ, not taken
 }
