@@ -58,6 +58,39 @@ void place(Bytes& rom, std::uint32_t address, const Bytes& bytes) {
   std::copy(bytes.begin(), bytes.end(), rom.begin() + static_cast<std::ptrdiff_t>(address - k_rom));
 }
 
+// Appends instructions to the program, and returns the registers before each.
+Bytes append_instructions(TrialMemory& memory, InstructionTrial& trial, unsigned rounds) {
+  Bytes states;
+  auto forms = instruction_forms();
+  unsigned index = 0;
+  for (unsigned round = 0; round < rounds; ++round) {
+    for (auto& form : forms) {
+      if (form.empty() || index == k_most_states) continue;
+      const Bytes before = memory.program;
+      append_setup(memory.program, index, 0);
+      const auto tried = trial.find(form);
+      memory.program = before;
+      if (!tried) {
+        form.clear();
+        continue;
+      }
+      append_setup(memory.program, index, tried->codes);
+      append(memory.program, tried->words);
+      for (const std::uint32_t whole : tried->registers) append_long(states, whole);
+      ++index;
+    }
+  }
+  std::cerr << index << " instructions\n";
+  return states;
+}
+
+Bytes header() {
+  Bytes bytes;
+  append(bytes, {0x602e, 0x0104});  // the version keeps the ROM at its address
+  for (const std::uint32_t value : {k_program, k_rom, k_program}) append_long(bytes, value);
+  return bytes;
+}
+
 Image make_image(bool in_memory, unsigned seed) {
   std::mt19937 random(seed);
   Bytes data(in_memory ? k_data_size : 0);
@@ -66,32 +99,17 @@ Image make_image(bool in_memory, unsigned seed) {
   memory.program_begin = k_program;
   memory.program = start();
   InstructionTrial trial(memory, 0x2700, seed);
-  Image image{Bytes(k_rom_size), k_program + static_cast<std::uint32_t>(memory.program.size()), 0};
-  Bytes states;
-  const unsigned rounds = in_memory ? 1 : 4;
-  const auto forms = instruction_forms();
-  unsigned index = 0;
-  for (unsigned number = 0; number < rounds * forms.size() && index < k_most_states; ++number) {
-    const Bytes before = memory.program;
-    append_setup(memory.program, index, 0);
-    const auto tried = trial.find(forms[number % forms.size()]);
-    memory.program = before;
-    if (!tried) continue;
-    append_setup(memory.program, index, tried->codes);
-    append(memory.program, tried->words);
-    for (const std::uint32_t whole : tried->registers) append_long(states, whole);
-    ++index;
-  }
-  image.end = k_program + static_cast<std::uint32_t>(memory.program.size());
+  const auto address = [&memory] {
+    return k_program + static_cast<std::uint32_t>(memory.program.size());
+  };
+  Image image{Bytes(k_rom_size), address(), 0};
+  const Bytes states = append_instructions(memory, trial, in_memory ? 1 : 4);
+  image.end = address();
   append(memory.program, {0x4e71, 0x60fe});
-  Bytes header;
-  append(header, {0x602e, 0x0104});  // the version keeps the ROM at its address
-  for (const std::uint32_t value : {k_program, k_rom, k_program}) append_long(header, value);
-  place(image.rom, k_rom, header);
+  place(image.rom, k_rom, header());
   place(image.rom, k_program, memory.program);
   place(image.rom, k_rom_data, data);
   place(image.rom, k_states, states);
-  std::cerr << index << " instructions\n";
   return image;
 }
 

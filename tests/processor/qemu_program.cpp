@@ -61,7 +61,7 @@ bool is_left_out(unsigned word) {
   const bool byte_on_stack =
       ((word & 0xb1f8U) == 0x9108 && ((word & 7U) == 7 || (word >> 9U & 7U) == 7)) ||
       word == 0x4adf || word == 0x4ae7;
-  const bool stack_as_frame = (word & 0xfff7U) == 0x4e57;
+  const bool stack_as_frame = word == 0x4e5f;
   const bool shift_in_memory = (word & 0xfcc0U) == 0xe0c0;
   return decimal_in_memory || byte_on_stack || stack_as_frame || shift_in_memory;
 }
@@ -92,16 +92,11 @@ Bytes random_data() {
   return data;
 }
 
-Image make_image(unsigned seed) {
-  const Bytes data = random_data();
-  TrialMemory memory(k_data, data);
-  memory.program_begin = k_program;
-  InstructionTrial trial(memory, 0, seed);
+// Appends instructions, each with its log, and returns the registers before each.
+Bytes append_instructions(TrialMemory& memory, InstructionTrial& trial, unsigned& index) {
   Bytes states;
-  const auto forms = comparable_forms();
-  unsigned index = 0;
   for (unsigned round = 0; round < k_rounds; ++round) {
-    for (const auto& form : forms) {
+    for (const auto& form : comparable_forms()) {
       const Bytes before = memory.program;
       // The setup has the same length whatever the condition codes.
       append_setup(memory.program, index, 0);
@@ -115,6 +110,16 @@ Image make_image(unsigned seed) {
       ++index;
     }
   }
+  return states;
+}
+
+Image make_image(unsigned seed) {
+  const Bytes data = random_data();
+  TrialMemory memory(k_data, data);
+  memory.program_begin = k_program;
+  InstructionTrial trial(memory, 0, seed);
+  unsigned index = 0;
+  const Bytes states = append_instructions(memory, trial, index);
   Image image{Bytes(k_end - k_program), index * k_log_size};
   append_write(memory.program, k_log, image.log_size);
   append_write(memory.program, k_data, k_data_size);

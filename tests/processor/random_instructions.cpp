@@ -1,5 +1,6 @@
 #include "tests/processor/random_instructions.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace maquette::tests {
@@ -9,7 +10,11 @@ namespace {
 using namespace models::mc68000;
 
 constexpr unsigned k_longest_instruction = 5;  // words
-constexpr unsigned k_attempts = 3000;
+constexpr unsigned k_attempts = 1000;
+
+// What LINK A7 stores is the lowered stack pointer by Motorola's description, and the one before by
+// other processors' authors; no compiler uses it.
+constexpr std::uint16_t k_link_of_stack = 0x4e57;
 
 bool is_decimal(unsigned word) {
   return (word & 0xb1f0U) == 0x8100 || (word & 0xffc0U) == 0x4800;  // ABCD, SBCD, NBCD
@@ -140,7 +145,7 @@ std::vector<std::vector<std::uint16_t>> instruction_forms() {
   std::vector<std::vector<std::uint16_t>> forms;
   for (unsigned index = 0; index < 0x10000; ++index) {
     const auto word = static_cast<std::uint16_t>(index);
-    if (!decoder_table().is_legal(word)) continue;
+    if (!decoder_table().is_legal(word) || word == k_link_of_stack) continue;
     const auto [place, is_new] = place_of.emplace(decoder_table()[word].execute, forms.size());
     if (is_new) forms.emplace_back();
     forms[place->second].push_back(word);

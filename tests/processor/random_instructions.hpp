@@ -52,7 +52,7 @@ class InstructionTrial {
       : memory_(&memory), status_(status), random_(seed) {}
 
   /// An instruction among `words`, which are instruction words, to follow the memory's program; its
-  /// effect on the data stays. Nothing when none was found in a few thousand attempts.
+  /// effect on the data stays. Nothing when none was found in a thousand attempts.
   std::optional<TriedInstruction> find(const std::vector<std::uint16_t>& words);
 
  private:
@@ -70,7 +70,7 @@ class InstructionTrial {
   std::mt19937 random_;
 };
 
-/// The legal instruction words, by instruction, size and addressing modes.
+/// The legal instruction words, by instruction, size and addressing modes; LINK A7 left out.
 std::vector<std::vector<std::uint16_t>> instruction_forms();
 
 /// Writes an instruction's words, or any others, to the end of a program.
