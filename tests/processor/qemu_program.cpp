@@ -2,6 +2,7 @@
 // model of the MC68000 makes of it. Usage: qemu_program PROGRAM EXPECTED SEED
 
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <string>

@@ -1,5 +1,6 @@
 #include "models/board/mc68000/decoder_table.hpp"
 
+#include <memory>
 #include <stdexcept>
 
 #include "tests/catch.hpp"

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <random>
 
 #include "models/board/mc68000/multiplication_time.hpp"
