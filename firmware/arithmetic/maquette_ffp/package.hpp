@@ -22,7 +22,7 @@ inline constexpr std::uint32_t k_subtract_entry = 860;
 inline constexpr std::uint32_t k_test_entry = 1984;
 inline constexpr std::uint32_t k_to_integer_entry = 1596;
 
-/// A source and the bytes of its code, padded to an even number.
+/// A source and the bytes of its code, after which the next one begins at a multiple of four.
 struct PackagePart {
   const char* name;
   std::uint32_t bytes;
