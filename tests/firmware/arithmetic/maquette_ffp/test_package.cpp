@@ -48,7 +48,7 @@ TEST_CASE("Products have a float's bits") {
   check_operation(k_multiply_entry, 3, [](float a, float b) { return to_ffp(a * b); });
 }
 
-TEST_CASE("Quotients have a float's bits; by zero they are the largest number") {
+TEST_CASE("Quotients have a float's bits, and by zero they are the largest number") {
   check_operation(k_divide_entry, 4, [](float a, float b) {
     if (a == 0) return 0U;
     if (b == 0) return k_largest | (a < 0 ? k_sign : 0U);
@@ -56,7 +56,7 @@ TEST_CASE("Quotients have a float's bits; by zero they are the largest number") 
   });
 }
 
-TEST_CASE("Square roots have a float's bits; of negative numbers they are zero") {
+TEST_CASE("Square roots have a float's bits, and of negative numbers they are zero") {
   check_operation(k_square_root_entry, 5,
                   [](float a, float) { return a < 0 ? 0U : to_ffp(std::sqrt(a)); });
 }
