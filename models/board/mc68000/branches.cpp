@@ -31,7 +31,7 @@ void branch_if(ExecutionUnit& unit, unsigned word) {
   const std::uint32_t target = branch_target<in_word>(unit, word);
   if (holds<condition>(unit.registers.conditions)) {
     unit.jump(target);
-    unit.counter.charge(packed({2, in_word ? 0U : 1U}));
+    unit.counter.charge(packed(in_word ? InstructionCost{2} : InstructionCost{6, 1}));
   } else {
     unit.counter.charge_cycles(4);
   }
