@@ -152,8 +152,7 @@ exact:
         swap    d6
         add.l   d3,d7           | a1 * b1
         bmi.s   1f
-        add.w   d4,d4
-        addx.l  d7,d7
+        add.l   d7,d7
         subq.b  #1,d5
 1:      tst.w   d4
         beq.s   2f

@@ -104,6 +104,15 @@ inline std::uint32_t number_of_round_product(Bits& bits, std::uint32_t other) {
                     128U - (other & 0x7fU) + bits.below(5) - 2, bits.below(2) != 0);
 }
 
+/// An integer of any length, often next to a power of two.
+inline std::uint32_t any_integer(Bits& bits) {
+  const auto random = static_cast<std::uint32_t>(bits.next() >> 32U);
+  const bool round = bits.below(4) == 0;
+  const std::uint32_t places = bits.below(32);
+  const std::uint32_t magnitude = round ? (1U << places) + bits.below(5) - 2 : random >> places;
+  return bits.below(2) != 0 ? 0U - magnitude : magnitude;
+}
+
 struct Operands {
   std::uint32_t d7 = 0;
   std::uint32_t d6 = 0;

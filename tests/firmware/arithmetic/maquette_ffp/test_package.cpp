@@ -78,10 +78,7 @@ TEST_CASE("Integers become numbers with a float's bits") {
   PackageProcessor processor;
   Bits bits(9);
   for (int i = 0; i < k_cases; ++i) {
-    const auto high = static_cast<std::uint32_t>(bits.next() >> 32U);
-    const std::uint32_t magnitude = high >> bits.below(32);
-    const std::uint32_t near = i % 4 == 0 ? (1U << bits.below(32)) + bits.below(5) - 2 : magnitude;
-    const std::uint32_t integer = bits.below(2) != 0 ? 0U - near : near;
+    const std::uint32_t integer = any_integer(bits);
     const auto expected = static_cast<float>(static_cast<std::int32_t>(integer));
     REQUIRE(processor.call(k_from_integer_entry, integer).result == to_ffp(expected));
   }
