@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <stdexcept>
+#include <string>
 
 #include "firmware/arithmetic/maquette_ffp/package.hpp"
 
