@@ -48,10 +48,9 @@ Real power_of_two(int n) {
   return result;
 }
 
-/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1/sqrt 2, sqrt
-/// 2).
+/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1, 2).
 template <class Real>
-Real split(Real value, int& exponent) {
+Real take_exponent(Real value, int& exponent) {
   using Bits = typename Format<Real>::Bits;
   constexpr int k_shift = Format<Real>::mantissa_bits;
   Bits bits = 0;
@@ -60,6 +59,14 @@ Real split(Real value, int& exponent) {
   bits = (bits & ((Bits{1} << k_shift) - 1)) | (static_cast<Bits>(Format<Real>::bias) << k_shift);
   Real mantissa = 0;
   __builtin_memcpy(&mantissa, &bits, sizeof mantissa);
+  return mantissa;
+}
+
+/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1/sqrt 2, sqrt
+/// 2).
+template <class Real>
+Real split(Real value, int& exponent) {
+  Real mantissa = take_exponent(value, exponent);
   if (mantissa > constant<Real>(1.41421356237309504880)) {
     mantissa *= constant<Real>(0.5);
     ++exponent;
@@ -75,7 +82,7 @@ Real arc_tangent(Real value) {
   const Real square = x * x;
   Real sum = 0;
   for (int term = Format<Real>::arc_tangent_terms; term >= 0; --term) {
-    const Real coefficient = Real(1) / static_cast<Real>(2 * term + 1);
+    const Real coefficient = Real(1) / from_integer<Real>(2 * term + 1);
     sum = coefficient - square * sum;
   }
   return upper ? constant<Real>(k_pi / 4) + x * sum : x * sum;
@@ -88,20 +95,20 @@ template <class Real>
 Real exponential(Real x) {
   constexpr int k_limit = elementary::Format<Real>::bias - 1;
   const Real halvings = x * constant<Real>(1 / elementary::k_ln_2);
-  if (halvings <= static_cast<Real>(-k_limit)) {
+  if (halvings <= constant<Real>(-k_limit)) {
     return 0;
   }
-  if (halvings >= static_cast<Real>(k_limit)) {
+  if (halvings >= constant<Real>(k_limit)) {
     return std::numeric_limits<Real>::max();
   }
   const int n = to_integer(halvings + (halvings < 0 ? constant<Real>(-0.5) : constant<Real>(0.5)));
   // ln 2 in two parts, so that n * high is exact.
   const Real high = constant<Real>(0.693359375);
   const Real low = constant<Real>(-2.12194440054690582768e-4);
-  const Real rest = (x - static_cast<Real>(n) * high) - static_cast<Real>(n) * low;
+  const Real rest = (x - from_integer<Real>(n) * high) - from_integer<Real>(n) * low;
   Real sum = 1;
   for (int term = elementary::Format<Real>::exponential_terms; term > 0; --term) {
-    sum = Real(1) + sum * rest / static_cast<Real>(term);
+    sum = Real(1) + sum * rest / from_integer<Real>(term);
   }
   return sum * elementary::power_of_two<Real>(n);
 }
@@ -115,9 +122,9 @@ Real logarithm(Real x) {
   const Real square = s * s;
   Real sum = 0;
   for (int term = elementary::Format<Real>::logarithm_terms; term >= 0; --term) {
-    sum = sum * square + Real(1) / static_cast<Real>(2 * term + 1);
+    sum = sum * square + Real(1) / from_integer<Real>(2 * term + 1);
   }
-  return static_cast<Real>(exponent) * constant<Real>(elementary::k_ln_2) + 2 * s * sum;
+  return from_integer<Real>(exponent) * constant<Real>(elementary::k_ln_2) + 2 * s * sum;
 }
 
 /// base to the power exponent, for base >= 0 and exponent > 0; 0 where the base is (sub)zero.
@@ -144,7 +151,7 @@ Real sine(Real radians) {
   const Real square = radians * radians;
   Real sum = 0;
   for (int term = elementary::Format<Real>::sine_terms; term > 0; --term) {
-    sum = (1 - sum) * square / static_cast<Real>((2 * term) * (2 * term + 1));
+    sum = (1 - sum) * square / from_integer<Real>((2 * term) * (2 * term + 1));
   }
   return radians * (1 - sum);
 }
@@ -155,7 +162,7 @@ Real cosine(Real radians) {
   const Real square = radians * radians;
   Real sum = 0;
   for (int term = elementary::Format<Real>::sine_terms + 1; term > 0; --term) {
-    sum = (1 - sum) * square / static_cast<Real>((2 * term - 1) * (2 * term));
+    sum = (1 - sum) * square / from_integer<Real>((2 * term - 1) * (2 * term));
   }
   return 1 - sum;
 }

@@ -16,10 +16,9 @@ inline constexpr std::uint32_t k_largest = 0xffffff7f;
 inline constexpr std::uint32_t k_sign = 0x80;
 
 /// A float in the format: zero below its range, the largest number of the same sign above it.
-inline std::uint32_t to_ffp(float value) {
+constexpr std::uint32_t to_ffp(float value) {
   constexpr std::uint32_t k_bias_difference = 62;
-  std::uint32_t bits = 0;
-  __builtin_memcpy(&bits, &value, sizeof bits);
+  const auto bits = __builtin_bit_cast(std::uint32_t, value);
   const std::uint32_t sign = bits >> 24U & k_sign;
   const std::uint32_t exponent = bits >> 23U & 0xffU;
   if (exponent < k_bias_difference) return 0;
@@ -28,13 +27,11 @@ inline std::uint32_t to_ffp(float value) {
 }
 
 /// A number of the format, which has to be zero or normalised, as a float: exact.
-inline float from_ffp(std::uint32_t number) {
+constexpr float from_ffp(std::uint32_t number) {
   if (number == 0) return 0;
   const std::uint32_t bits =
       (number & k_sign) << 24U | ((number & 0x7fU) + 62) << 23U | (number >> 8U & 0x7fffffU);
-  float value = 0;
-  __builtin_memcpy(&value, &bits, sizeof value);
-  return value;
+  return __builtin_bit_cast(float, bits);
 }
 
 }  // namespace maquette::firmware::maquette_ffp
