@@ -102,7 +102,22 @@ bool is_called_by(const firmware::FacetDistribution& facets, std::string_view fu
                      [&](const char* call) { return call != nullptr && function == call; });
 }
 
-/// What nobody calls in particular, every scene needs.
+constexpr std::string_view k_table = "k_primitives";
+constexpr std::int64_t k_table_bytes = board_function(k_table)->code_bytes;
+static_assert(k_table_bytes % firmware::k_primitive_kind_count == 0);
+
+/// Rows of the table of primitives, whose places are the kinds, up to the last that the scene
+/// needs.
+std::int64_t needed_table_bytes(const Needs& needs) {
+  int rows = k_resident_primitives;
+  for (int kind = rows; kind < firmware::k_primitive_kind_count; ++kind) {
+    rows = needs.primitives[kind] ? kind + 1 : rows;
+  }
+  return k_table_bytes / firmware::k_primitive_kind_count * rows;
+}
+
+}  // namespace
+
 bool is_needed(std::string_view function, const Needs& needs) {
   bool is_optional = false;
   bool is_called = false;
@@ -122,19 +137,7 @@ bool is_needed(std::string_view function, const Needs& needs) {
   return is_called || !is_optional;
 }
 
-constexpr std::string_view k_table = "k_primitives";
-constexpr std::int64_t k_table_bytes = board_function(k_table)->code_bytes;
-static_assert(k_table_bytes % firmware::k_primitive_kind_count == 0);
-
-/// Rows of the table of primitives, whose places are the kinds, up to the last that the scene
-/// needs.
-std::int64_t needed_table_bytes(const Needs& needs) {
-  int rows = k_resident_primitives;
-  for (int kind = rows; kind < firmware::k_primitive_kind_count; ++kind) {
-    rows = needs.primitives[kind] ? kind + 1 : rows;
-  }
-  return k_table_bytes / firmware::k_primitive_kind_count * rows;
-}
+namespace {
 
 std::int64_t needed_bytes(const firmware::BoardFunction& function, const Needs& needs) {
   if (function.name == k_table) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "firmware/database.hpp"
 
@@ -16,6 +17,10 @@ struct BoardCode {
   std::int64_t needed_bytes;    ///< what a scene's needs make a board hold
   std::int64_t left_out_bytes;  ///< what it can do without
 };
+
+/// Whether a scene with these needs runs a function of the board's program, given by its name. What
+/// nobody calls in particular, every scene needs.
+bool is_needed(std::string_view function, const firmware::Needs& needs);
 
 BoardCode board_code_of(const firmware::Needs& needs);
 

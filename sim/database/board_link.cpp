@@ -1,0 +1,76 @@
+#include "sim/database/board_link.hpp"
+
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+namespace maquette::sim {
+
+namespace {
+
+constexpr unsigned k_byte_bits = 8;
+constexpr std::uint32_t k_word_bytes = 2;
+/// What is left out is at an odd address, to which no program can go.
+constexpr std::uint32_t k_nowhere = 1;
+
+void put_word(unsigned char* place, std::uint32_t word) {
+  place[0] = static_cast<unsigned char>(word >> k_byte_bits);
+  place[1] = static_cast<unsigned char>(word);
+}
+
+void put_long(unsigned char* place, std::uint32_t value) {
+  put_word(place, value >> 2 * k_byte_bits);
+  put_word(place + k_word_bytes, value);
+}
+
+void copy_words(const firmware::CodePiece& piece, unsigned char* place) {
+  for (std::uint32_t i = 0; i < piece.words; ++i) {
+    put_word(place + k_word_bytes * i, firmware::k_code_words[piece.first_word + i]);
+  }
+}
+
+void resolve_addresses(const firmware::CodePiece& piece, const LinkedProgram& program,
+                       unsigned char* place) {
+  for (std::uint32_t i = 0; i < piece.addresses; ++i) {
+    const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + i];
+    const std::uint32_t target =
+        address.piece == firmware::k_package ? program.package : program.addresses[address.piece];
+    put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
+  }
+}
+
+}  // namespace
+
+LinkedProgram linked_program(std::uint32_t base,
+                             const std::function<bool(const firmware::CodePiece&)>& is_needed) {
+  LinkedProgram program{base, 0, {}, {}};
+  std::uint32_t end = base;
+  for (const firmware::CodePiece& piece : firmware::k_code_pieces) {
+    const bool needed = is_needed(piece);
+    program.addresses.push_back(needed ? end : 0);
+    end += needed ? k_word_bytes * piece.words : 0;
+  }
+  program.package = end;
+  program.bytes.resize(end - base);
+  program.bytes.insert(program.bytes.end(), std::begin(firmware::maquette_ffp::k_package),
+                       std::end(firmware::maquette_ffp::k_package));
+  for (std::size_t i = 0; i < program.addresses.size(); ++i) {
+    if (program.addresses[i] != 0) {
+      unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
+      copy_words(firmware::k_code_pieces[i], place);
+      resolve_addresses(firmware::k_code_pieces[i], program, place);
+    }
+  }
+  return program;
+}
+
+std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
+  for (std::size_t i = 0; i < program.addresses.size(); ++i) {
+    if (firmware::k_code_pieces[i].name == name && program.addresses[i] != 0) {
+      return program.addresses[i];
+    }
+  }
+  throw std::out_of_range("the program of the board has no " + std::string(name));
+}
+
+}  // namespace maquette::sim
