@@ -86,4 +86,18 @@ PixelPosition PixelAllotment::position(std::int64_t index) const {
   return in_zone(column + in_unit % width, row + in_unit / width);
 }
 
+std::int64_t PixelAllotment::index(const PixelPosition& position) const {
+  const std::int64_t column = position.column - zone_.column0;
+  const std::int64_t row = position.row - zone_.row0;
+  if (unit_height_ == 1) {
+    return row * zone_.width + column;
+  }
+  const std::int64_t first_row = row / unit_height_ * unit_height_;
+  const std::int64_t height = std::min<std::int64_t>(unit_height_, zone_.height - first_row);
+  const std::int64_t first_column = column / unit_width_ * unit_width_;
+  const std::int64_t width = std::min<std::int64_t>(unit_width_, zone_.width - first_column);
+  return first_row * zone_.width + first_column * height + (row - first_row) * width +
+         (column - first_column);
+}
+
 }  // namespace maquette::models

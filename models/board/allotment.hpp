@@ -47,6 +47,9 @@ class PixelAllotment {
   /// Where the pixel with an index stands, 0 <= index < pixels().
   [[nodiscard]] PixelPosition position(std::int64_t index) const;
 
+  /// The index of the pixel at a position of the zone.
+  [[nodiscard]] std::int64_t index(const PixelPosition& position) const;
+
  private:
   [[nodiscard]] PixelPosition in_zone(std::int64_t column, std::int64_t row) const;
 

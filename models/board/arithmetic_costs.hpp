@@ -16,12 +16,18 @@ struct OperationCost {
   double writes = 0;
 };
 
+/// How boards that execute their program do arithmetic with a table's package: none of them can (it
+/// is not of FFP numbers on an MC68000), the host does it and each call costs what the table says,
+/// or the package itself is executed (it is the project's own).
+enum class ArithmeticExecution { none, costs, package };
+
 /// One table of models/arithmetic/: the cost of every operation class, and which of them are calls
 /// of the arithmetic package (they pay the board's call overhead; in-line ones do not).
 struct ArithmeticCosts {
   std::array<OperationCost, firmware::k_operation_count> operations{};
   std::array<bool, firmware::k_operation_count> called{};
   std::int64_t package_bytes = 0;  ///< code of the package in a board's RAM
+  ArithmeticExecution execution = ArithmeticExecution::none;
 };
 
 }  // namespace maquette::models

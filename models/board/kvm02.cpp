@@ -1,9 +1,12 @@
 #include "models/board/kvm02.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "models/bus/kernel_time.hpp"
 #include "models/bus/memory_cells.hpp"
+#include "models/display/frame_memory.hpp"
 
 namespace maquette::models {
 
@@ -37,7 +40,8 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
       ram_(checked_ram_bytes(parameters)),
       processor_(parameters, bus_master, this->name()),
       cursor_(share),
-      writer_(site.frame, site.bus.word_bytes()) {
+      writer_(site.frame, site.bus.word_bytes()),
+      frame_(site.frame) {
   ram_port.register_b_transport(this, &Kvm02::access_ram);
   ram_port.register_transport_dbg(this, &Kvm02::debug_ram);
   BusTransaction& writing = writer_.burst().transaction;
@@ -69,6 +73,11 @@ AccessLaw Kvm02::access_law() const {
 void Kvm02::run() {
   sc_core::wait(start_);
   processor_.start();
+  if (executing_) {
+    run_program();
+    finish();
+    return;
+  }
   const Instant started = processor_.now();
   compute(source_.preprocessing());
   preprocessing_ = processor_.now() - started;
@@ -87,6 +96,64 @@ void Kvm02::write_pixels() {
     processor_.transact(writer_.burst());
   }
 }
+
+// ---- a program ----
+
+void Kvm02::execute(const ProgramEntry& entry, const HostRoutines& host_routines,
+                    const std::vector<RamPart>& resident, ProgramSlots& slots) {
+  for (const RamPart& part : resident) {
+    if (part.address + part.bytes.size() > ram_.size()) {
+      throw std::invalid_argument("a board's RAM has no room for its program");
+    }
+    std::copy(part.bytes.begin(), part.bytes.end(), ram_.begin() + part.address);
+  }
+  entry_ = entry;
+  host_routines_ = host_routines;
+  slots_ = &slots;
+  executing_.emplace(
+      parameters_, bus_.word_bytes(), processor_,
+      [this](std::uint64_t address, std::uint32_t value) { check_written(address, value); });
+}
+
+void Kvm02::run_program() {
+  const mc68000::Ram ram{ram_.data(), static_cast<std::uint32_t>(ram_.size())};
+  program_.emplace(ram, entry_, host_routines_, *slots_);
+  executing_->run(*program_);
+  program_.reset();
+  preprocessing_ = executing_->preprocessing();
+}
+
+// A pixel is written when its second word is.
+void Kvm02::check_written(std::uint64_t address, std::uint32_t value) {
+  constexpr unsigned k_word_bits = 16;
+  if (address < frame_.base) {
+    return;
+  }
+  const std::uint64_t offset = address - frame_.base;
+  if (offset % FrameMemory::k_pixel_bytes == 0) {
+    first_word_ = value;
+  } else {
+    take_pixel(static_cast<std::int64_t>(offset / FrameMemory::k_pixel_bytes),
+               first_word_ << k_word_bits | value);
+  }
+}
+
+// The program and the firmware of the host agree in every pixel.
+void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
+  const PixelPosition position{static_cast<int>(number % frame_.width),
+                               static_cast<int>(number / frame_.width)};
+  const SynthesizedPixel& pixel = source_.pixel(share_.allotment.index(position));
+  if (frame_.format.written(pixel.rgb, pixel.depth) != bytes) {
+    throw std::logic_error(std::string(name()) + ": the program has another pixel (" +
+                           std::to_string(position.column) + ", " + std::to_string(position.row) +
+                           ") than the firmware");
+  }
+  ++pixels_;
+  work_.add(pixel.work);
+  work_.add(pixel.rays);
+}
+
+// ---- pixels of the source ----
 
 // Synthesises pixels until some are due to be written; false when none is left.
 //
@@ -143,6 +210,10 @@ BoardStatistics Kvm02::statistics(Instant instant) const {
   }
   if (database_) {
     statistics.database_words = database_->words();
+  }
+  if (executing_) {
+    statistics.claims = executing_->locks_taken();
+    statistics.failed_tries = executing_->failed_tries();
   }
   return statistics;
 }

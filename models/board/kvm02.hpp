@@ -11,10 +11,12 @@
 #include "models/board/board_share.hpp"
 #include "models/board/board_statistics.hpp"
 #include "models/board/database_reader.hpp"
+#include "models/board/instruction_processor.hpp"
 #include "models/board/kvm02_parameters.hpp"
 #include "models/board/pixel_source.hpp"
 #include "models/board/pixel_writer.hpp"
 #include "models/board/processor.hpp"
+#include "models/board/program_setup.hpp"
 #include "models/board/shared_memory.hpp"
 #include "models/board/unit_claims.hpp"
 #include "models/bus/access_law.hpp"
@@ -51,6 +53,12 @@ class Kvm02 : public sc_core::sc_module {
   [[nodiscard]] AccessLaw access_law() const;
   [[nodiscard]] std::uint64_t ram_bytes() const { return ram_.size(); }
 
+  /// Has it execute a program, whose RAM so far is `resident`, in place of taking its pixels from
+  /// the source, which is asked for them all the same: for what they are to be and what they cost
+  /// the firmware. The slots are kept by reference. Before the simulation starts.
+  void execute(const ProgramEntry& entry, const HostRoutines& host_routines,
+               const std::vector<RamPart>& resident, ProgramSlots& slots);
+
   /// Its number on the bus, told before the simulation starts.
   void set_master(int master) { master_ = master; }
 
@@ -73,6 +81,9 @@ class Kvm02 : public sc_core::sc_module {
   void compute(const firmware::Work& work);
   void write_pixels();
   void finish();
+  void run_program();
+  void check_written(std::uint64_t address, std::uint32_t value);
+  void take_pixel(std::int64_t number, std::uint32_t bytes);
 
   void access_ram(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned debug_ram(tlm::tlm_generic_payload& payload);
@@ -90,6 +101,15 @@ class Kvm02 : public sc_core::sc_module {
   PixelWriter writer_;
   std::optional<UnitClaims> claims_;        // of units on demand
   std::optional<DatabaseReader> database_;  // of a shared one
+
+  // Of a board that executes its program.
+  FrameWindow frame_;
+  ProgramEntry entry_{};
+  HostRoutines host_routines_;
+  ProgramSlots* slots_ = nullptr;
+  std::optional<InstructionProcessor> executing_;
+  std::optional<BoardProgram> program_;  // while it runs
+  std::uint32_t first_word_ = 0;         // of the pixel that is being written
 
   Duration preprocessing_{};
   std::int64_t pixels_ = 0;

@@ -60,12 +60,16 @@ WorkCost::WorkCost(const Kvm02Parameters& board)
   }
 }
 
-Duration WorkCost::duration(const firmware::Work& work, std::int64_t bus_loads) const {
-  std::int64_t milliclocks = -datum_milliclocks_ * bus_loads;
+std::int64_t WorkCost::milliclocks(const firmware::Work& work) const {
+  std::int64_t sum = 0;
   for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
-    milliclocks += milliclocks_[operation] * work.counts[operation];
+    sum += milliclocks_[operation] * work.counts[operation];
   }
-  return elapsed_per_processor_ps_.times(milliclock_.times(milliclocks).count());
+  return sum;
+}
+
+Duration WorkCost::duration(const firmware::Work& work, std::int64_t bus_loads) const {
+  return elapsed(milliclocks(work) - datum_milliclocks_ * bus_loads);
 }
 
 }  // namespace maquette::models

@@ -29,6 +29,14 @@ class WorkCost {
   /// included): the processor's, then the elapsed, each rounded down to the picosecond.
   [[nodiscard]] Duration duration(const firmware::Work& work, std::int64_t bus_loads = 0) const;
 
+  /// Elapsed time of so many thousandths of the processor's clocks, rounded as above.
+  [[nodiscard]] Duration elapsed(std::int64_t milliclocks) const {
+    return elapsed_per_processor_ps_.times(milliclock_.times(milliclocks).count());
+  }
+
+  /// Thousandths of a clock that `work` takes, before refresh.
+  [[nodiscard]] std::int64_t milliclocks(const firmware::Work& work) const;
+
   /// Cost of one operation in thousandths of a clock, before refresh.
   [[nodiscard]] std::int64_t milliclocks(firmware::Operation operation) const {
     return milliclocks_[static_cast<std::size_t>(operation)];

@@ -11,31 +11,8 @@ namespace maquette::models {
 
 namespace {
 
-constexpr std::uint64_t k_least_block = 0x40000;
-constexpr std::uint64_t k_least_frame_base = 0x800000;
-
-std::uint64_t ram_block(const Kvm02Parameters& board) {
-  std::uint64_t block = k_least_block;
-  while (block < static_cast<std::uint64_t>(board.ram_bytes)) {
-    block *= 2;
-  }
-  return block;
-}
-
 bool shares_something(const MachineParameters& parameters) {
   return is_claimed(parameters.allotment.assignment) || is_shared(parameters.board.database);
-}
-
-CcettMachine::Addresses addresses_of(const MachineParameters& parameters, const FrameSetup& setup,
-                                     std::uint64_t frame_bytes) {
-  const std::uint64_t block = ram_block(parameters.board);
-  const std::uint64_t boards_end = block * (parameters.boards.size() + 1);
-  const FrameWindow frame{std::max(k_least_frame_base, boards_end), parameters.frame_memory.width,
-                          PixelFormat(parameters.frame_memory)};
-  const std::uint64_t frame_end = frame.base + frame_bytes;
-  return {block, frame,
-          SharedWindow{(frame_end + block - 1) / block * block,
-                       static_cast<std::int64_t>(setup.shared_database.size())}};
 }
 
 // The header of zeros, then the database, to the end of a long word.
@@ -65,7 +42,7 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
     throw std::invalid_argument("a shared database must be given, and only when it is shared");
   }
   for (const auto& image : setup.images) {
-    if (image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
+    if (setup.image_address + image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
       throw std::invalid_argument("a board's image is larger than its RAM");
     }
   }
@@ -83,7 +60,7 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
       frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
                     setup.keep_log) {
   check(parameters, setup);
-  const Addresses addresses = addresses_of(parameters, setup, frame_memory_.size_bytes());
+  const MachineAddresses addresses = machine_addresses(parameters, setup.shared_database.size());
   std::vector<Backplane> backplanes = make_buses(parameters, addresses);
   if (shares_something(parameters)) {
     std::vector<unsigned char> content = shared_content(setup.shared_database);
@@ -96,14 +73,21 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
     Backplane& backplane = backplanes[index % backplanes.size()];
     backplane.boards.push_back(make_board(index, parameters, addresses, backplane.bus, source));
     if (!setup.images.empty()) {
-      backplane.images.push_back({addresses.ram(index), setup.images[index]});
+      backplane.images.push_back({addresses.ram(index) + setup.image_address, setup.images[index]});
+    }
+  }
+  if (setup.program) {
+    slots_.emplace(setup.program->threads);
+    for (std::size_t index = 0; index < boards_.size(); ++index) {
+      boards_[index]->execute(setup.program->entry, setup.program->host_routines,
+                              setup.program->resident.at(index), *slots_);
     }
   }
   make_host(parameters, std::move(backplanes));
 }
 
 std::vector<Backplane> CcettMachine::make_buses(const MachineParameters& parameters,
-                                                const Addresses& addresses) {
+                                                const MachineAddresses& addresses) {
   std::vector<Backplane> backplanes;
   for (std::size_t port = 0; port < frame_memory_.bus_ports.size(); ++port) {
     buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
@@ -116,7 +100,7 @@ std::vector<Backplane> CcettMachine::make_buses(const MachineParameters& paramet
 }
 
 void CcettMachine::make_shared_memory(const MachineParameters& parameters,
-                                      const Addresses& addresses, std::size_t bytes) {
+                                      const MachineAddresses& addresses, std::size_t bytes) {
   shared_memory_.emplace("shared_memory", parameters.shared_memory, bytes,
                          parameters.frame_memory.ports);
   for (std::size_t port = 0; port < buses_.size(); ++port) {
@@ -127,7 +111,8 @@ void CcettMachine::make_shared_memory(const MachineParameters& parameters,
 }
 
 int CcettMachine::make_board(std::size_t index, const MachineParameters& parameters,
-                             const Addresses& addresses, VersaBus& bus, PixelSource& source) {
+                             const MachineAddresses& addresses, VersaBus& bus,
+                             PixelSource& source) {
   BoardShare share{allotment_,
                    static_cast<std::int64_t>(index),
                    static_cast<std::int64_t>(parameters.boards.size()),

@@ -15,6 +15,7 @@
 #include "models/display/frame_memory.hpp"
 #include "models/display/video_timing.hpp"
 #include "models/machine/host.hpp"
+#include "models/machine/machine_addresses.hpp"
 #include "models/machine/machine_parameters.hpp"
 #include "models/machine/machine_statistics.hpp"
 
@@ -25,6 +26,8 @@ struct FrameSetup {
   PixelRectangle useful_zone;    ///< every pixel of it is written once, no other is
   std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
   std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
+  std::uint32_t image_address = 0;                 ///< of their first byte, in a board's RAM
+  std::optional<ProgramSetup> program;             ///< when boards execute theirs
   std::vector<unsigned char> shared_database;      ///< when boards have no copies
   bool keep_log = false;                           ///< of the writes, for pictures at an instant
 };
@@ -33,23 +36,8 @@ struct FrameSetup {
 /// as the frame memory has ports, board b on backplane b mod ports. Elaborated by its
 /// constructor, which alone binds sockets: modules do not bind themselves. A plain `sc_start` runs
 /// it until all boards are done, since nothing in it is periodic.
-///
-/// Address map: each board's RAM has its own block of 256 Kbyte (VM02 data sheet p. 2-53), or of
-/// the next power of two for a larger RAM, board 0 from the second block on; the frame memory
-/// follows from 8 Mbyte on, or after the boards when there are too many; then, on the next block,
-/// the memory that the boards share, if they share something. Assumption: addresses may grow beyond
-/// the KVM02's 24 bits (the bus has up to 32).
 class CcettMachine : public sc_core::sc_module {
  public:
-  /// Its address map; the same on each backplane.
-  struct Addresses {
-    std::uint64_t block;  ///< of a board
-    FrameWindow frame;
-    SharedWindow shared;
-
-    [[nodiscard]] std::uint64_t ram(std::size_t board) const { return block * (board + 1); }
-  };
-
   /// `source` is kept by reference; it has the pixels of the PixelAllotment that parameters and
   /// useful zone make. Throws
   /// std::invalid_argument for parameters that make no machine, or images that do not fit the
@@ -87,18 +75,19 @@ class CcettMachine : public sc_core::sc_module {
   // In the order in which they bind their sockets, which numbers masters: the boards of each bus,
   // then the host. A board's number on its bus is returned.
   std::vector<Backplane> make_buses(const MachineParameters& parameters,
-                                    const Addresses& addresses);
-  void make_shared_memory(const MachineParameters& parameters, const Addresses& addresses,
+                                    const MachineAddresses& addresses);
+  void make_shared_memory(const MachineParameters& parameters, const MachineAddresses& addresses,
                           std::size_t bytes);
-  int make_board(std::size_t index, const MachineParameters& parameters, const Addresses& addresses,
-                 VersaBus& bus, PixelSource& source);
+  int make_board(std::size_t index, const MachineParameters& parameters,
+                 const MachineAddresses& addresses, VersaBus& bus, PixelSource& source);
   void make_host(const MachineParameters& parameters, std::vector<Backplane> backplanes);
 
   [[nodiscard]] Instant furthest_known() const;
 
   PixelRectangle zone_;
   PixelAllotment allotment_;
-  sc_core::sc_event start_;  // of the boards, by the host
+  sc_core::sc_event start_;            // of the boards, by the host
+  std::optional<ProgramSlots> slots_;  // of the boards' programs
   VideoTiming timing_;
   std::vector<std::unique_ptr<VersaBus>> buses_;
   FrameMemory frame_memory_;

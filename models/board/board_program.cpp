@@ -1,0 +1,120 @@
+#include "models/board/board_program.hpp"
+
+namespace maquette::models {
+
+namespace {
+
+/// Events that may wait. The host's threads need not meet at each of them.
+constexpr std::size_t k_most_events = 256;
+
+}  // namespace
+
+void ProgramSlots::take() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [this] { return free_ > 0; });
+  --free_;
+}
+
+void ProgramSlots::give_back() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++free_;
+  }
+  changed_.notify_one();
+}
+
+BoardProgram::BoardProgram(mc68000::Ram ram, const ProgramEntry& entry,
+                           const HostRoutines& host_routines, ProgramSlots& slots)
+    : processor_(ram, *this), slots_(slots) {
+  routines_.add(entry.synthesis, [this](mc68000::ExecutionUnit& unit) {
+    unit.counter.settle();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    put(event(ProgramEvent::Kind::synthesis, unit.counter.account()));
+  });
+  if (host_routines) {
+    host_routines(routines_, work_);
+  }
+  processor_.use(routines_);
+  thread_ = std::thread([this, entry] { run(entry); });
+}
+
+BoardProgram::~BoardProgram() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    abandoned_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
+}
+
+void BoardProgram::run(const ProgramEntry& entry) {
+  processor_.registers().program_counter = entry.start;
+  processor_.registers().stack() = entry.stack;
+  slots_.take();
+  const mc68000::Stop stop = processor_.run({});
+  slots_.give_back();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ProgramEvent end = event(ProgramEvent::Kind::end, processor_.account());
+  end.stop = stop;
+  put(end);
+}
+
+ProgramEvent BoardProgram::event(ProgramEvent::Kind kind, const mc68000::Account& account) {
+  ProgramEvent event{};
+  event.kind = kind;
+  event.account = account;
+  event.work = work_;
+  work_ = {};
+  return event;
+}
+
+void BoardProgram::put(const ProgramEvent& event) {
+  events_.push_back(event);
+  changed_.notify_all();
+}
+
+ProgramEvent BoardProgram::next() {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait(lock, [this] { return !events_.empty(); });
+  const ProgramEvent event = events_.front();
+  events_.pop_front();
+  changed_.notify_all();
+  return event;
+}
+
+void BoardProgram::answer(std::uint32_t value) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    answer_ = value;
+  }
+  changed_.notify_all();
+}
+
+// The slot is another program's while this one waits.
+mc68000::BusReply BoardProgram::access(const mc68000::BusRequest& request,
+                                       const mc68000::Account& account) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  ProgramEvent asked = event(ProgramEvent::Kind::access, account);
+  asked.request = request;
+  put(asked);
+  const bool writes = request.kind == mc68000::BusRequest::Kind::write;
+  const auto may_go_on = [this, writes] {
+    return abandoned_ || (writes ? events_.size() < k_most_events : answer_.has_value());
+  };
+  if (!may_go_on()) {
+    slots_.give_back();
+    changed_.wait(lock, may_go_on);
+    lock.unlock();
+    slots_.take();
+    lock.lock();
+  }
+  mc68000::BusReply reply;
+  reply.error = abandoned_;
+  if (!writes) {
+    reply.value = answer_.value_or(0);
+    answer_.reset();
+  }
+  return reply;
+}
+
+}  // namespace maquette::models

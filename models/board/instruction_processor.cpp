@@ -1,0 +1,143 @@
+#include "models/board/instruction_processor.hpp"
+
+#include <ios>
+#include <sstream>
+#include <systemc>
+
+namespace maquette::models {
+
+namespace {
+
+using mc68000::Account;
+using mc68000::BusRequest;
+using mc68000::OperandSize;
+
+constexpr std::int64_t k_milliclocks = 1'000;
+/// Of an access without wait states; off the board the bus tells how long it takes.
+constexpr std::int64_t k_access_clocks = 4;
+constexpr unsigned k_byte_bits = 8;
+constexpr unsigned char k_taken = 0x80;
+
+/// What a call costs is executed.
+Kvm02Parameters without_call_overhead(Kvm02Parameters parameters) {
+  parameters.call_overhead = {};
+  return parameters;
+}
+
+unsigned bytes_of(const BusRequest& request, unsigned word_bytes) {
+  return request.size == OperandSize::byte ? word_bytes : mc68000::bytes_of(request.size);
+}
+
+/// Bytes on the bus: a byte goes with the whole word that it lies in.
+void put_bytes(const BusRequest& request, unsigned word_bytes, std::vector<unsigned char>& bytes) {
+  const unsigned count = mc68000::bytes_of(request.size);
+  bytes.assign(bytes_of(request, word_bytes), 0);
+  for (unsigned byte = 0; byte < count; ++byte) {
+    bytes[byte] = static_cast<unsigned char>(request.value >> k_byte_bits * (count - 1 - byte));
+  }
+}
+
+std::uint32_t value_of(const BusRequest& request, const std::vector<unsigned char>& bytes) {
+  std::uint32_t value = 0;
+  for (unsigned byte = 0; byte < mc68000::bytes_of(request.size); ++byte) {
+    value = value << k_byte_bits | bytes[byte];
+  }
+  return value;
+}
+
+void require_end(const mc68000::Stop& stop) {
+  if (stop.reason != mc68000::StopReason::stop_instruction) {
+    std::ostringstream message;
+    message << "the program of the board stops at 0x" << std::hex << stop.instruction_address
+            << ", word 0x" << stop.instruction_word << ", access to 0x" << stop.access_address
+            << ": " << mc68000::name_of(stop.reason);
+    SC_REPORT_ERROR("/maquette/kvm02", message.str().c_str());
+  }
+}
+
+}  // namespace
+
+InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes,
+                                           Processor& processor, Observer written)
+    : cost_(without_call_overhead(parameters)),
+      read_wait_(parameters.ram_read_wait_clocks),
+      write_wait_(parameters.ram_write_wait_clocks),
+      word_bytes_(word_bytes),
+      processor_(processor),
+      written_(std::move(written)) {
+  test_and_set_.transaction.test_and_set = true;
+}
+
+void InstructionProcessor::run(BoardProgram& program) {
+  while (true) {
+    const ProgramEvent event = program.next();
+    spend(event);
+    switch (event.kind) {
+      case ProgramEvent::Kind::access:
+        access(event.request, program);
+        break;
+      case ProgramEvent::Kind::synthesis:
+        preprocessing_ = spent_;
+        break;
+      case ProgramEvent::Kind::end:
+        require_end(event.stop);
+        return;
+    }
+  }
+}
+
+void InstructionProcessor::spend(const ProgramEvent& event) {
+  const Account& account = event.account;
+  const auto count = [](std::uint64_t all, std::uint64_t others) {
+    return static_cast<std::int64_t>(all - others);
+  };
+  const std::uint64_t off_board = account.bus_fetches + account.bus_reads + account.bus_writes;
+  const std::int64_t clocks = count(account.cycles, k_access_clocks * off_board) +
+                              read_wait_ * (count(account.fetches, account.bus_fetches) +
+                                            count(account.reads, account.bus_reads)) +
+                              write_wait_ * count(account.writes, account.bus_writes);
+  work_milliclocks_ += cost_.milliclocks(event.work);
+  const Duration elapsed = cost_.elapsed(clocks * k_milliclocks + work_milliclocks_);
+  processor_.compute(elapsed - spent_);
+  spent_ = elapsed;
+}
+
+void InstructionProcessor::access(const BusRequest& request, BoardProgram& program) {
+  switch (request.kind) {
+    case BusRequest::Kind::fetch:
+    case BusRequest::Kind::read:
+      program.answer(read(request));
+      break;
+    case BusRequest::Kind::test_and_set:
+      program.answer(test_and_set(request));
+      break;
+    case BusRequest::Kind::write:
+      write(request);
+      break;
+  }
+}
+
+std::uint32_t InstructionProcessor::read(const BusRequest& request) {
+  read_.bytes.resize(bytes_of(request, word_bytes_));
+  read_.aim(request.address);
+  processor_.transact(read_);
+  return value_of(request, read_.bytes);
+}
+
+void InstructionProcessor::write(const BusRequest& request) {
+  put_bytes(request, word_bytes_, write_.bytes);
+  write_.aim(request.address);
+  processor_.transact(write_);
+  written_(request.address, request.value);
+}
+
+std::uint32_t InstructionProcessor::test_and_set(const BusRequest& request) {
+  test_and_set_.bytes.resize(word_bytes_);
+  test_and_set_.aim(request.address);
+  processor_.transact(test_and_set_);
+  const std::uint32_t value = value_of(request, test_and_set_.bytes);
+  ++((value & k_taken) == 0 ? locks_taken_ : failed_tries_);
+  return value;
+}
+
+}  // namespace maquette::models

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "models/board/board_program.hpp"
+#include "models/board/processor.hpp"
+#include "models/bus/bus_burst.hpp"
+
+namespace maquette::models {
+
+/// A board's processor that executes the board's program: lets the time of its instructions pass,
+/// with the wait states of the RAM and its refresh, and does each access off the board on the bus.
+///
+/// Assumption: an access falls at the start of its instruction; what the instruction takes besides
+/// passes after it.
+class InstructionProcessor {
+ public:
+  /// Called with each word or byte that the program has written off the board.
+  using Observer = std::function<void(std::uint64_t address, std::uint32_t value)>;
+
+  /// `processor` is kept by reference. Throws as WorkCost.
+  InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes, Processor& processor,
+                       Observer written);
+
+  /// Runs the program to its end, in the board's SystemC process. Reports an error when it stops
+  /// for another reason than that it has come to its end.
+  void run(BoardProgram& program);
+
+  /// From the start to the first pixel's work.
+  [[nodiscard]] Duration preprocessing() const { return preprocessing_; }
+  [[nodiscard]] std::int64_t locks_taken() const { return locks_taken_; }
+  [[nodiscard]] std::int64_t failed_tries() const { return failed_tries_; }
+
+ private:
+  void spend(const ProgramEvent& event);
+  void access(const mc68000::BusRequest& request, BoardProgram& program);
+  void write(const mc68000::BusRequest& request);
+  std::uint32_t read(const mc68000::BusRequest& request);
+  std::uint32_t test_and_set(const mc68000::BusRequest& request);
+
+  WorkCost cost_;
+  Clocks read_wait_;
+  Clocks write_wait_;
+  unsigned word_bytes_;
+  Processor& processor_;
+  Observer written_;
+  std::int64_t work_milliclocks_ = 0;
+  Duration spent_{};
+  Duration preprocessing_{};
+  BusBurst read_{tlm::TLM_READ_COMMAND};
+  BusBurst write_{tlm::TLM_WRITE_COMMAND};
+  BusBurst test_and_set_{tlm::TLM_READ_COMMAND};
+  std::int64_t locks_taken_ = 0;
+  std::int64_t failed_tries_ = 0;
+};
+
+}  // namespace maquette::models
