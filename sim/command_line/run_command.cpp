@@ -53,7 +53,7 @@ void add_options(CLI::App& verb, RunOptions& options) {
       ->type_name("DIR");
   verb.add_option("--processor", options.processor,
                   "where pixels come from: synthesised and counted, or a recorded frame replayed")
-      ->check(CLI::IsMember({"counted", "recorded"}))
+      ->check(CLI::IsMember({"counted", "recorded", "instruction"}))
       ->capture_default_str();
   verb.add_option("--record", options.record,
                   "OpenEXR file for the work of every pixel: written by --processor counted, "
@@ -174,6 +174,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (!trace.files.empty()) {
     request.trace = trace.window;
   }
+  request.executed = options.processor == "instruction";
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name

@@ -41,6 +41,15 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
   visitor.field(required("name", "name of the cost table"), machine.arithmetic_name, TextType{});
   visitor.field(required("code", "of the package in a board's RAM, loaded by the host"),
                 costs.package_bytes, WholeType{WholeDimension::memory, {0, 16 * k_mebibyte}});
+  visitor.field(
+      {"execution",
+       "at --processor instruction: none (it is not FFP on an MC68000), costs (the host "
+       "computes, a call costs what the table says), package (its routines are executed)",
+       "tools/ffp_costs"},
+      costs.execution,
+      ChoiceType<models::ArithmeticExecution>{{{"none", models::ArithmeticExecution::none},
+                                               {"costs", models::ArithmeticExecution::costs},
+                                               {"package", models::ArithmeticExecution::package}}});
   for (std::size_t i = 0; i < costs.operations.size(); ++i) {
     const char* name = firmware::k_operation_names[i];
     visitor.group(required(name, "cost of this operation"), [&, i] {

@@ -11,6 +11,7 @@
 #include "models/machine/unique_names.hpp"
 #include "sim/database/database_image.hpp"
 #include "sim/database/memory_map.hpp"
+#include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
@@ -163,7 +164,11 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   models::FrameSetup setup;
   setup.useful_zone = pixels.zone;
   setup.background = firmware::rgb_of(packed.header.background);
-  set_images(packed, machine, map, setup);
+  if (request.executed) {
+    set_programs(packed, with_room(machine, map), request.threads, setup);
+  } else {
+    set_images(packed, machine, map, setup);
+  }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
     return simulate_prepared(with_room(machine, map), request, *pixels.source, setup, go_on);

@@ -1,0 +1,95 @@
+#include "sim/run/host_arithmetic.hpp"
+
+#include "firmware/arithmetic/maquette_ffp/format.hpp"
+#include "firmware/arithmetic/maquette_ffp/package.hpp"
+#include "firmware/arithmetic/real.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+using firmware::Operation;
+using firmware::maquette_ffp::from_ffp;
+using firmware::maquette_ffp::to_ffp;
+using models::mc68000::ExecutionUnit;
+
+/// Operands and result of a routine, by the registers of the package.
+constexpr unsigned k_left = 7;
+constexpr unsigned k_right = 6;
+
+float number_in(const ExecutionUnit& unit, unsigned data_register) {
+  return from_ffp(unit.registers.data(data_register));
+}
+
+/// A routine of two operands; with a zero operand, or a zero result of a product, it is another
+/// operation to the cost tables.
+template <class Compute>
+auto binary(Operation operation, Operation with_zero, firmware::Work& work, Compute compute) {
+  return [operation, with_zero, &work, compute](ExecutionUnit& unit) {
+    const float left = number_in(unit, k_left);
+    const float right = number_in(unit, k_right);
+    const std::uint32_t result = to_ffp(compute(left, right));
+    const bool zero = left == 0 || (right == 0 && operation != Operation::divide) ||
+                      (result == 0 && operation == Operation::multiply);
+    ++work[zero ? with_zero : operation];
+    unit.registers.data(k_left) = result;
+    unit.return_from_subroutine();
+  };
+}
+
+template <class Compute>
+auto unary(Operation operation, firmware::Work& work, Compute compute) {
+  return [operation, &work, compute](ExecutionUnit& unit) {
+    ++work[operation];
+    unit.registers.data(k_left) = compute(unit.registers.data(k_left));
+    unit.return_from_subroutine();
+  };
+}
+
+void compare(ExecutionUnit& unit) {
+  constexpr unsigned k_conditions = 0xF;
+  constexpr unsigned k_negative = 0x8;
+  constexpr unsigned k_zero = 0x4;
+  const float left = number_in(unit, k_left);
+  const float right = number_in(unit, k_right);
+  unit.registers.set_status((unit.registers.status() & ~k_conditions) |
+                            (left < right ? k_negative : 0U) | (left == right ? k_zero : 0U));
+  unit.return_from_subroutine();
+}
+
+}  // namespace
+
+models::HostRoutines host_arithmetic(std::uint32_t package) {
+  namespace ffp = firmware::maquette_ffp;
+  return [package](models::mc68000::NativeCalls& routines, firmware::Work& work) {
+    routines.add(package + ffp::k_add_entry, binary(Operation::add, Operation::add_zero, work,
+                                                    [](float a, float b) { return a + b; }));
+    routines.add(package + ffp::k_subtract_entry,
+                 binary(Operation::subtract, Operation::subtract_zero, work,
+                        [](float a, float b) { return a - b; }));
+    routines.add(package + ffp::k_multiply_entry,
+                 binary(Operation::multiply, Operation::multiply_zero, work,
+                        [](float a, float b) { return a * b; }));
+    routines.add(package + ffp::k_divide_entry,
+                 binary(Operation::divide, Operation::divide_zero, work,
+                        [](float a, float b) { return a / b; }));
+    routines.add(package + ffp::k_square_root_entry,
+                 unary(Operation::square_root, work, [](std::uint32_t bits) {
+                   return to_ffp(firmware::square_root(from_ffp(bits)));
+                 }));
+    routines.add(package + ffp::k_to_integer_entry,
+                 unary(Operation::float_to_integer, work, [](std::uint32_t bits) {
+                   return static_cast<std::uint32_t>(firmware::to_integer(from_ffp(bits)));
+                 }));
+    routines.add(package + ffp::k_from_integer_entry,
+                 unary(Operation::integer_to_float, work, [](std::uint32_t bits) {
+                   return to_ffp(static_cast<float>(static_cast<std::int32_t>(bits)));
+                 }));
+    routines.add(package + ffp::k_compare_entry, [&work](ExecutionUnit& unit) {
+      ++work[Operation::compare];
+      compare(unit);
+    });
+  };
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,92 @@
+#include <string>
+
+#include "tests/catch.hpp"
+#include "tests/program/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace maquette::tests;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+const char* const k_coarse =
+    " --set 'frame_memory.width=48 pixels' --set 'frame_memory.height=36 pixels' --quiet --outdir ";
+
+/// A run of the small scene into a folder of the scratch directory.
+std::filesystem::path run(const ScratchDirectory& scratch, const std::string& name,
+                          const std::string& options) {
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const Outcome outcome =
+      run_maquette("run " + scene + " " + options + k_coarse + (scratch / name).string());
+  INFO(options << ": " << outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  return scratch / name;
+}
+
+nlohmann::json statistics(const std::filesystem::path& directory) {
+  return nlohmann::json::parse(content_of(directory / "stats.json"));
+}
+
+/// What all boards together computed after preprocessing.
+double computed(const nlohmann::json& statistics) {
+  double sum = 0;
+  for (const auto& board : statistics["boards"]) {
+    sum += board["compute_s"].get<double>() - statistics["frame"]["preprocess_s"].get<double>();
+  }
+  return sum;
+}
+
+TEST_CASE("boards that execute their program make the firmware's picture, whatever their share") {
+  const ScratchDirectory scratch;
+  const std::string picture = content_of(run(scratch, "counted", "") / "frame.png");
+  for (const std::string options :
+       {"", "--set board.arithmetic=maquette_ffp", "--set allotment.order=interleaved_lines",
+        "--set allotment.order=bands", "--set allotment.order=tiles",
+        "--set allotment.order=tiles --set allotment.assignment=on_demand",
+        "--set allotment.assignment=on_demand", "--set board.pixel_write=line",
+        "--set processors=1", "--set processors=7", "--set board.release=block",
+        "--set board.pixel_write=line --set allotment.order=tiles",
+        "--set host.loads_code=false"}) {
+    const auto directory = run(scratch, "executed", "--processor instruction " + options);
+    INFO(options);
+    CHECK(content_of(directory / "frame.png") == picture);
+    CHECK(computed(statistics(directory)) > 0);
+  }
+}
+
+TEST_CASE("an executed frame is the same bytes from any number of host threads") {
+  const ScratchDirectory scratch;
+  const std::string claims = "--processor instruction --set allotment.assignment=on_demand ";
+  const std::string expected =
+      content_of(run(scratch, "one", claims + "--threads 1") / "stats.json");
+  for (const std::string threads : {"2", "3", "16"}) {
+    CHECK(content_of(run(scratch, threads, claims + "--threads " + threads) / "stats.json") ==
+          expected);
+  }
+}
+
+TEST_CASE("one board computes what four compute together, but for finding the pixels") {
+  const ScratchDirectory scratch;
+  const double four = computed(statistics(run(scratch, "four", "--processor instruction")));
+  const double one =
+      computed(statistics(run(scratch, "one", "--processor instruction --set processors=1")));
+  CHECK(one == Approx(four).epsilon(1e-3));
+}
+
+TEST_CASE("machines whose boards can not execute the program are refused with the reason") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome = run_maquette("run " + scene + " --processor instruction " + options +
+                                         k_coarse + (scratch / "refused").string());
+    CHECK(outcome.exit_code == 2);
+    return outcome.errors;
+  };
+  CHECK_THAT(refused("--set board.database=shared"), ContainsSubstring("board.database=own_copy"));
+  CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
+  CHECK_THAT(refused("--set board.arithmetic=ieee_single"), ContainsSubstring("ieee_single"));
+  CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
+}
+
+}  // namespace
