@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "175af0242030b03a370e514be8cc591b3606c6d0";
+inline constexpr const char* k_board_firmware_version = "94c160258ca54dd5570ce841366248d95a990822";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
@@ -116,7 +116,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"length", 26, 8},
     {"light_from", 946, 272},
     {"local_ray", 242, 96},
-    {"logarithm", 250, 44},
+    {"logarithm", 248, 44},
     {"lower", 100, 36},
     {"luminance", 270, 192},
     {"magnitude", 72, 24},

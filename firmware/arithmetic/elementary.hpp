@@ -48,9 +48,10 @@ Real power_of_two(int n) {
   return result;
 }
 
-/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1, 2).
+/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1/sqrt 2, sqrt
+/// 2).
 template <class Real>
-Real take_exponent(Real value, int& exponent) {
+Real split(Real value, int& exponent) {
   using Bits = typename Format<Real>::Bits;
   constexpr int k_shift = Format<Real>::mantissa_bits;
   Bits bits = 0;
@@ -59,14 +60,6 @@ Real take_exponent(Real value, int& exponent) {
   bits = (bits & ((Bits{1} << k_shift) - 1)) | (static_cast<Bits>(Format<Real>::bias) << k_shift);
   Real mantissa = 0;
   __builtin_memcpy(&mantissa, &bits, sizeof mantissa);
-  return mantissa;
-}
-
-/// Writes a positive normal number as mantissa * 2^exponent with the mantissa in [1/sqrt 2, sqrt
-/// 2).
-template <class Real>
-Real split(Real value, int& exponent) {
-  Real mantissa = take_exponent(value, exponent);
   if (mantissa > constant<Real>(1.41421356237309504880)) {
     mantissa *= constant<Real>(0.5);
     ++exponent;

@@ -141,13 +141,24 @@ inline Ffp power_of_two<Ffp>(int n) {
 }
 
 template <>
-inline Ffp take_exponent<Ffp>(Ffp value, int& exponent) {
+inline Ffp split<Ffp>(Ffp value, int& exponent) {
   constexpr std::uint32_t k_mask = 0x7F;
   exponent = static_cast<int>(value.bits & k_mask) - static_cast<int>(k_exponent_of_one);
-  return ffp::of_bits((value.bits & ~k_mask) | k_exponent_of_one);
+  Ffp mantissa = ffp::of_bits((value.bits & ~k_mask) | k_exponent_of_one);
+  if (mantissa > constant<Ffp>(1.41421356237309504880)) {
+    mantissa *= constant<Ffp>(0.5);
+    ++exponent;
+  }
+  return mantissa;
 }
 
 }  // namespace elementary
+
+/// The elementary functions are the firmware's own (board/elementary.cpp). They have names by which a
+/// simulator finds them, since another arithmetic package has its own, at another cost.
+Ffp exponential(Ffp x) __asm__("ffp_exponential");
+Ffp power(Ffp base, Ffp exponent) __asm__("ffp_power");
+Ffp arc_cosine(Ffp cosine) __asm__("ffp_arc_cosine");
 
 inline Ffp saturated_inverse(Ffp length) {
   return length > constant<Ffp>(0) ? constant<Ffp>(1) / length : far_away<Ffp>();

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <cstdint>
-
 #include "models/board/board_program.hpp"
+#include "sim/database/board_link.hpp"
 
 namespace maquette::sim {
 
-/// Has the host execute the routines of the arithmetic package that lies at an address of a board's
-/// RAM, and count them by operation; the machine's cost table tells what they take.
-models::HostRoutines host_arithmetic(std::uint32_t package);
+/// Has the host execute the arithmetic of a linked program, elementary functions included, and
+/// count it by operation; the machine's cost table tells what it takes.
+models::HostRoutines host_arithmetic(const LinkedProgram& program);
 
 }  // namespace maquette::sim
