@@ -42,10 +42,10 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
   visitor.field(required("code", "of the package in a board's RAM, loaded by the host"),
                 costs.package_bytes, WholeType{WholeDimension::memory, {0, 16 * k_mebibyte}});
   visitor.field(
-      {"execution",
-       "at --processor instruction: none (it is not FFP on an MC68000), costs (the host "
-       "computes, a call costs what the table says), package (its routines are executed)",
-       "tools/ffp_costs"},
+      required(
+          "execution",
+          "of boards that execute their program: none (it is not FFP on an MC68000), costs (the "
+          "host computes, a call costs what the table says), package (its routines are executed)"),
       costs.execution,
       ChoiceType<models::ArithmeticExecution>{{{"none", models::ArithmeticExecution::none},
                                                {"costs", models::ArithmeticExecution::costs},

@@ -53,7 +53,8 @@ std::string table_head() {
       "figures.\n"
       "name: maquette_ffp\n"
       "# Without the elementary functions, which are the firmware's.\n"
-      "code: {} B\n\n",
+      "code: {} B\n"
+      "execution: package\n\n",
       sizeof firmware::maquette_ffp::k_package);
 }
 

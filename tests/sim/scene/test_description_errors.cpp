@@ -286,7 +286,7 @@ TEST_CASE("machines are checked as scenes are") {
   check_error(with_machine("machine: {name: a, board: {arithmetic: motorola}}"),
               "scene.yaml:7:40: ", "ieee_single, m68010_ffp");
   check_error(with_machine("machine: {name: a, board: {arithmetic: {name: b, code: 1 B}}}"),
-              "scene.yaml:7:40: arithmetic: `add` is missing", "");
+              "scene.yaml:7:40: arithmetic: `execution` is missing", "");
 }
 
 TEST_CASE("two masters in one place are refused") {
