@@ -39,9 +39,8 @@ class InstructionProcessor {
   std::uint32_t read(const mc68000::BusRequest& request);
   std::uint32_t test_and_set(const mc68000::BusRequest& request);
 
+  Kvm02Parameters parameters_;
   WorkCost cost_;
-  Clocks read_wait_;
-  Clocks write_wait_;
   unsigned word_bytes_;
   Processor& processor_;
   Observer written_;

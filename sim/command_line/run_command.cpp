@@ -55,7 +55,7 @@ void add_options(CLI::App& verb, RunOptions& options) {
           "--processor", options.processor,
           "what the boards do: their work counted, a recorded frame's work replayed, or their "
           "program executed instruction by instruction")
-      ->check(CLI::IsMember({"counted", "recorded", "instruction"}))
+      ->check(CLI::IsMember({"counted", "calibrated", "recorded", "instruction"}))
       ->capture_default_str();
   verb.add_option("--record", options.record,
                   "OpenEXR file for the work of every pixel: written by --processor counted, "
@@ -177,6 +177,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
     request.trace = trace.window;
   }
   request.executed = options.processor == "instruction";
+  request.calibrated = options.processor == "calibrated";
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name

@@ -67,8 +67,8 @@ firmware::BoardOrder order_of(const Machine& machine, const models::FrameSetup& 
   throw DescriptionError("the boards can not execute their program: " + what);
 }
 
-/// Whether the arithmetic package is executed as well. Throws DescriptionError when boards can not
-/// execute their program with this arithmetic.
+}  // namespace
+
 bool executes_package(const Machine& machine) {
   switch (machine.parameters.board.arithmetic.execution) {
     case models::ArithmeticExecution::package:
@@ -83,6 +83,19 @@ bool executes_package(const Machine& machine) {
                   "board.arithmetic=motorola_ffp or maquette_ffp",
                   machine.arithmetic_name));
 }
+
+BoardRoom board_room(const Machine& machine) {
+  const models::Kvm02Parameters& board = machine.parameters.board;
+  const bool keeps_line = models::keeps_line(board.pixel_write);
+  return {static_cast<std::uint32_t>(board.ram_bytes),
+          static_cast<std::uint32_t>(machine.system_bytes),
+          static_cast<std::uint32_t>(machine.crossing_capacity),
+          static_cast<std::uint32_t>(machine.ray_capacity),
+          keeps_line ? static_cast<std::uint32_t>(machine.parameters.frame_memory.width) : 0,
+          static_cast<std::uint32_t>(machine.stack_bytes)};
+}
+
+namespace {
 
 void check(const Machine& machine) {
   constexpr int k_word_bits = 16;
@@ -100,17 +113,6 @@ std::vector<unsigned char> part(const std::vector<unsigned char>& ram, std::size
                                 std::size_t end) {
   return {ram.begin() + static_cast<std::ptrdiff_t>(first),
           ram.begin() + static_cast<std::ptrdiff_t>(end)};
-}
-
-BoardRoom room_of(const Machine& machine) {
-  const models::Kvm02Parameters& board = machine.parameters.board;
-  const bool keeps_line = models::keeps_line(board.pixel_write);
-  return {static_cast<std::uint32_t>(board.ram_bytes),
-          static_cast<std::uint32_t>(machine.system_bytes),
-          static_cast<std::uint32_t>(machine.crossing_capacity),
-          static_cast<std::uint32_t>(machine.ray_capacity),
-          keeps_line ? static_cast<std::uint32_t>(machine.parameters.frame_memory.width) : 0,
-          static_cast<std::uint32_t>(machine.stack_bytes)};
 }
 
 /// What of an image the host loads, and what is in the RAM without: a program that is not loaded,
@@ -133,12 +135,11 @@ models::ProgramSetup programs_of(const PackedScene<float>& packed, const Machine
   models::ProgramSetup program;
   for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
     order.first_unit = static_cast<std::uint32_t>(board);
-    const BoardImage image = board_image(scene.frame(), area.view(), order, room_of(machine));
+    const BoardImage image = board_image(scene.frame(), area.view(), order, board_room(machine));
     add_board(image, machine.parameters.host.loads_code, program, setup);
     program.entry = {address_of(image.program, "board_program"), image.stack,
                      address_of(image.program, "board_synthesis")};
-    program.host_routines =
-        executed ? models::HostRoutines{} : host_arithmetic(image.program.package);
+    program.host_routines = executed ? models::HostRoutines{} : host_arithmetic(image.program);
   }
   return program;
 }

@@ -4,6 +4,8 @@
 #include <memory>
 #include <systemc>
 
+#include <fmt/format.h>
+
 #include "models/board/work_cost.hpp"
 #include "models/bus/kernel_time.hpp"
 #include "models/display/video_reader.hpp"
@@ -13,6 +15,7 @@
 #include "sim/database/memory_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
+#include "sim/run/calibration.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/recorded_source.hpp"
@@ -126,6 +129,14 @@ std::string times_from(const Machine& machine, bool executed) {
                      machine.arithmetic_name + " says";
 }
 
+std::string times_from(const Calibration& calibration) {
+  constexpr double k_percent = 100;
+  return fmt::format(
+      "the firmware's counted work, at prices fitted to {} pixels of the boards' program\n"
+      "                (their sum {:+.2f} %, one pixel typically {:.1f} %)",
+      calibration.pixels, k_percent * calibration.sum_error, k_percent * calibration.typical_error);
+}
+
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    models::PixelSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
@@ -183,7 +194,15 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
-    return simulate_prepared(with_room(machine, map), request, *pixels.source, setup, go_on);
+    const Machine roomy = with_room(machine, map);
+    if (!request.calibrated) {
+      return simulate_prepared(roomy, request, *pixels.source, setup, go_on);
+    }
+    const Calibration calibration = calibrate(scene, roomy);
+    SimulationResult result = simulate_prepared(with_prices(roomy, calibration.milliclocks),
+                                                request, *pixels.source, setup, go_on);
+    result.times_from = times_from(calibration);
+    return result;
   } catch (const std::invalid_argument& error) {
     throw DescriptionError(std::string("these parameters make no machine: ") + error.what());
   } catch (const sc_core::sc_report& report) {

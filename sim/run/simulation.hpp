@@ -20,6 +20,7 @@ struct SimulationRequest {
   bool picture = true;                            ///< whether the result has it
   int threads = 1;                                ///< of the host, for synthesis
   bool executed = false;                          ///< boards execute their program
+  bool calibrated = false;                        ///< prices of counted work are fitted to it
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
