@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "2ff3fe2a0dd2023d3aca60a93963da4d3a8c761f";
+inline constexpr const char* k_board_firmware_version = "83b8046e25fcf6c704478fc1de9509f4cbdfa112";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
