@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "83b8046e25fcf6c704478fc1de9509f4cbdfa112";
+inline constexpr const char* k_board_firmware_version = "8904555e825d46fd5aeddd006659e72608369962";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
