@@ -69,7 +69,7 @@ inclusions() {
 # of them includes the source of its name, or else the first one that does. Takes the inclusions as a file.
 sources_to_compile() {
   awk '
-    function choose(source) { if (!(source in chosen)) { chosen[source]; print source } }
+    function choose(source) { chosen[source]; print source }
     function is_covered(header,  source) {
       for (source in chosen) if ((source, header) in includes) return 1
       return 0
