@@ -11,7 +11,7 @@
 namespace maquette::firmware {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_board_code_version = "94c160258ca54dd5570ce841366248d95a990822";
+inline constexpr const char* k_board_code_version = "d9c35f6f5f4412444a39c7e2f8dfaf9101c88a0b";
 
 /// A function or a table: its words, and the long words in them that are addresses.
 struct CodePiece {

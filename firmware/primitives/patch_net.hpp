@@ -93,7 +93,7 @@ Jet<Real> jet_at(const Real* ordinates, std::ptrdiff_t step, const Basis<Real>& 
   for (int i = 0; i < 4; ++i) {
     charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 4);
-    const Real* row = ordinates + 4 * i * step;
+    const Real* row = ordinates + 4 * step * i;
     const Real a = row[0];
     const Real b = row[step];
     const Real c = row[2 * step];
@@ -116,7 +116,7 @@ Real value_at(const Real* ordinates, std::ptrdiff_t step, const Basis<Real>& u,
   for (int i = 0; i < 4; ++i) {
     charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 4);
-    const Real* row = ordinates + 4 * i * step;
+    const Real* row = ordinates + 4 * step * i;
     value += u.cubic[i] * (v.cubic[0] * row[0] + v.cubic[1] * row[step] +
                            v.cubic[2] * row[2 * step] + v.cubic[3] * row[3 * step]);
   }

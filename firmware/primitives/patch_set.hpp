@@ -32,7 +32,7 @@ void spline_to_bezier(Real* points) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < 4; ++i) {
       charge<Real>(Operation::loop);
-      spline_to_bezier(points + axis + 4 * i * k_point_reals, k_point_reals);
+      spline_to_bezier(points + axis + 4 * k_point_reals * i, k_point_reals);
     }
     for (int i = 0; i < 4; ++i) {
       charge<Real>(Operation::loop);
@@ -103,7 +103,7 @@ void write_tree(Real* points, int patches, Real* boxes) {
   order_along(points, patches, longest);
   const int lower = patches / 2;
   write_tree(points, lower, boxes + k_box_reals);
-  write_tree(points + lower * k_patch_stride, patches - lower, boxes + 2 * lower * k_box_reals);
+  write_tree(points + lower * k_patch_stride, patches - lower, boxes + 2 * k_box_reals * lower);
 }
 
 /// Fills `parameters` (parameter_count) from the Bezier points of patches in the local frame.

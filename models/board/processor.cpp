@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "models/bus/bus_error.hpp"
 #include "models/bus/kernel_time.hpp"
@@ -9,11 +10,11 @@
 namespace maquette::models {
 
 Processor::Processor(const Kvm02Parameters& parameters,
-                     tlm::tlm_base_initiator_socket<>& bus_master, const std::string& name)
+                     tlm::tlm_base_initiator_socket<>& bus_master, std::string name)
     : cost_(parameters),
       clock_(Period::of_frequency(parameters.clock_hz)),
       bus_master_(bus_master),
-      name_(name) {}
+      name_(std::move(name)) {}
 
 void Processor::start() { started_ = accounted_ = kernel_now(); }
 

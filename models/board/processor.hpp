@@ -23,7 +23,7 @@ class Processor {
   /// The socket is kept by reference; `name` is that of the board, for messages. Throws as Period
   /// and WorkCost.
   Processor(const Kvm02Parameters& parameters, tlm::tlm_base_initiator_socket<>& bus_master,
-            const std::string& name);
+            std::string name);
 
   /// The frame starts, in the kernel's present instant.
   void start();

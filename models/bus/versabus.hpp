@@ -8,6 +8,7 @@
 #include <string>
 #include <systemc>
 #include <tlm>
+#include <utility>
 #include <vector>
 
 #include "models/bus/access_law.hpp"
@@ -84,7 +85,7 @@ class VersaBus : public sc_core::sc_module {
 
  private:
   struct Master {
-    Master(const BusMaster& what, unsigned word_bytes) : description(what), burst(word_bytes) {}
+    Master(BusMaster what, unsigned word_bytes) : description(std::move(what)), burst(word_bytes) {}
 
     BusMaster description;
     BurstProgress burst;

@@ -76,6 +76,7 @@ std::string script_of(const std::string& name, std::string settings,
                             mark.place.x, mark.place.y);
   }
   std::vector<std::vector<double>> spreads;
+  spreads.reserve(marks.size());
   for (const Mark& mark : marks) {
     spreads.push_back({mark.place.x, mark.place.y, mark.least, mark.most});
   }

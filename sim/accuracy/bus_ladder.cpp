@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <string>
 
 #include "models/bus/bus_levels.hpp"
@@ -23,7 +24,7 @@ Ladder bus_ladder(const std::vector<std::string>& quanta) {
     }
     for (const std::string& quantum : quanta) {
       ladder.levels.push_back(
-          {name + " " + quantum, {"bus.level=" + name, "bus.quantum=" + quantum}});
+          {fmt::format("{} {}", name, quantum), {"bus.level=" + name, "bus.quantum=" + quantum}});
     }
   }
   return ladder;

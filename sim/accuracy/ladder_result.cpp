@@ -49,6 +49,7 @@ LadderResult result_of(const Ladder& ladder,
   const LevelOutcome& reference = outcomes[ladder.reference].front();
   for (const std::vector<LevelOutcome>& repeats : outcomes) {
     std::vector<double> times_s;
+    times_s.reserve(repeats.size());
     for (const LevelOutcome& outcome : repeats) {
       times_s.push_back(outcome.host_time_s);
     }

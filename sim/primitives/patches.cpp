@@ -151,6 +151,7 @@ std::vector<glm::dvec3> SpacePointListType::read(const YamlNode& node, std::stri
 
 YamlNode SpacePointListType::write(const std::vector<glm::dvec3>& points) {
   std::vector<YamlNode> items;
+  items.reserve(points.size());
   for (const glm::dvec3& point : points) {
     items.push_back(TripleType::write(point));
   }

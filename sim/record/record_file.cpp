@@ -43,6 +43,7 @@ const ExrCodec& codec() {
 /// All channels in the order of the file, empty.
 std::vector<ExrChannel> empty_channels() {
   std::vector<ExrChannel> channels;
+  channels.reserve(k_colours.size() + 1 + k_rays.size() + std::size(firmware::k_operation_names));
   for (const char* colour : k_colours) {
     channels.push_back({colour, ExrStorage::code, {}});
   }

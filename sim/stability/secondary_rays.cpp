@@ -68,7 +68,7 @@ Vector3 leaving_direction(Random& random, const Vector3& normal) {
 template <class Real>
 bool is_clear(Random& random, Trial<Real>& trial, const SurfacePoint<Real>& point,
               double clearances, double share) {
-  const double clearance = static_cast<double>(point.clearance);
+  const auto clearance = static_cast<double>(point.clearance);
   const Surroundings found =
       surroundings_of(random, trial.reference,
                       Vector3(point.position) + Vector3(point.normal) * (clearances * clearance));

@@ -57,7 +57,7 @@ struct Surroundings {
                                                   const Vector3& point) {
   constexpr int k_lines = 16;
   int inside = 0;
-  double nearest = firmware::far_away<double>();
+  auto nearest = firmware::far_away<double>();
   for (int line = 0; line < k_lines; ++line) {
     const Vector3 direction = random.direction();
     firmware::SurfaceIndex medium = firmware::k_void;
