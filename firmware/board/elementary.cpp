@@ -1,4 +1,4 @@
-#include "firmware/arithmetic/ffp.hpp"
+#include "firmware/board/ffp.hpp"
 
 namespace maquette::firmware {
 

@@ -1,5 +1,5 @@
-#include "firmware/arithmetic/ffp.hpp"
 #include "firmware/board/claim.hpp"
+#include "firmware/board/ffp.hpp"
 #include "firmware/board/pixel_output.hpp"
 #include "firmware/board/units.hpp"
 #include "firmware/layout.hpp"

@@ -154,8 +154,8 @@ inline Ffp split<Ffp>(Ffp value, int& exponent) {
 
 }  // namespace elementary
 
-/// The elementary functions are the firmware's own (board/elementary.cpp). They have names by which a
-/// simulator finds them, since another arithmetic package has its own, at another cost.
+/// The elementary functions are the firmware's own (board/elementary.cpp). They have names by which
+/// a simulator finds them, since another arithmetic package has its own, at another cost.
 Ffp exponential(Ffp x) __asm__("ffp_exponential");
 Ffp power(Ffp base, Ffp exponent) __asm__("ffp_power");
 Ffp arc_cosine(Ffp cosine) __asm__("ffp_arc_cosine");
