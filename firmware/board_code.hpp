@@ -11,7 +11,7 @@
 namespace maquette::firmware {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_board_code_version = "d9c35f6f5f4412444a39c7e2f8dfaf9101c88a0b";
+inline constexpr const char* k_board_code_version = "286ff9f226d5ea085ec54f3eeb4a52525a955cb4";
 
 /// A function or a table: its words, and the long words in them that are addresses.
 struct CodePiece {

@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "d9c35f6f5f4412444a39c7e2f8dfaf9101c88a0b";
+inline constexpr const char* k_board_firmware_version = "286ff9f226d5ea085ec54f3eeb4a52525a955cb4";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {

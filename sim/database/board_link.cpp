@@ -9,7 +9,7 @@ namespace maquette::sim {
 namespace {
 
 constexpr unsigned k_byte_bits = 8;
-constexpr std::uint32_t k_word_bytes = 2;
+constexpr std::size_t k_word_bytes = 2;
 /// What is left out is at an odd address, to which no program can go.
 constexpr std::uint32_t k_nowhere = 1;
 
@@ -48,7 +48,7 @@ LinkedProgram linked_program(std::uint32_t base,
   for (const firmware::CodePiece& piece : firmware::k_code_pieces) {
     const bool needed = is_needed(piece);
     program.addresses.push_back(needed ? end : 0);
-    end += needed ? k_word_bytes * piece.words : 0;
+    end += needed ? static_cast<std::uint32_t>(k_word_bytes * piece.words) : 0;
   }
   program.package = end;
   program.bytes.resize(end - base);

@@ -60,10 +60,11 @@ MeasuredCost function(CompiledFunction compiled, const Evaluate& evaluate) {
     evaluate(random);
     const models::PackageMeter meter = models::package_meter();
     const models::PackageCall conversion = processor.call(k_from_integer_entry, 7);
-    const std::uint64_t calls = meter.calls + compiled.conversions;
-    return {meter.cycles + compiled.conversions * conversion.cycles + calls * k_call.cycles,
-            meter.reads + compiled.conversions * conversion.reads + calls * k_call.reads,
-            meter.writes + compiled.conversions * conversion.writes + calls * k_call.writes};
+    const std::uint64_t conversions = compiled.conversions;
+    const std::uint64_t calls = meter.calls + conversions;
+    return {meter.cycles + conversions * conversion.cycles + calls * k_call.cycles,
+            meter.reads + conversions * conversion.reads + calls * k_call.reads,
+            meter.writes + conversions * conversion.writes + calls * k_call.writes};
   });
 }
 
@@ -139,7 +140,9 @@ std::vector<CostRow> function_rows() {
 
 std::vector<CostRow> measured_rows() {
   std::vector<CostRow> rows = operation_rows();
-  for (CostRow& row : function_rows()) rows.push_back(std::move(row));
+  for (CostRow& row : function_rows()) {
+    rows.push_back(std::move(row));
+  }
   return rows;
 }
 

@@ -21,14 +21,20 @@ constexpr std::uint32_t to_ffp(float value) {
   const auto bits = __builtin_bit_cast(std::uint32_t, value);
   const std::uint32_t sign = bits >> 24U & k_sign;
   const std::uint32_t exponent = bits >> 23U & 0xffU;
-  if (exponent < k_bias_difference) return 0;
-  if (exponent > k_bias_difference + 127) return k_largest | sign;
+  if (exponent < k_bias_difference) {
+    return 0;
+  }
+  if (exponent > k_bias_difference + 127) {
+    return k_largest | sign;
+  }
   return (bits | 0x800000U) << 8U | sign | (exponent - k_bias_difference);
 }
 
 /// A number of the format, which has to be zero or normalised, as a float: exact.
 constexpr float from_ffp(std::uint32_t number) {
-  if (number == 0) return 0;
+  if (number == 0) {
+    return 0;
+  }
   const std::uint32_t bits =
       (number & k_sign) << 24U | ((number & 0x7fU) + 62) << 23U | (number >> 8U & 0x7fffffU);
   return __builtin_bit_cast(float, bits);

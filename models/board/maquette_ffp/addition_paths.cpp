@@ -22,10 +22,14 @@ RoutineCost comparison_of_exponents(const Alignment& alignment) {
 
 RoutineCost next_mantissa(std::uint32_t mantissa, std::uint32_t result_byte) {
   const bool carries = low(mantissa) == 0xff00U;
-  if (!carries) return k_immediate + k_not_taken + k_return;
+  if (!carries) {
+    return k_immediate + k_not_taken + k_return;
+  }
   const bool carries_out = high(mantissa) == 0xffffU;
   const RoutineCost ripple = k_immediate + k_taken + k_taken + words(2) + branch(carries_out);
-  if (!carries_out) return ripple + words(1) + k_return;
+  if (!carries_out) {
+    return ripple + words(1) + k_return;
+  }
   const bool overflow = exponent(result_byte) == 127;
   const RoutineCost exponent_raised = ripple + k_immediate + words(2);
   return exponent_raised + overflow_branches(overflow, negative(result_byte)) +

@@ -31,7 +31,9 @@ RoutineCost doubtful(const Quotient& quotient, std::uint32_t divisor) {
   const std::uint32_t right = half * low(divisor);
   const bool carries = left >> 32U != 0;
   cost += branch(carries);
-  if (!carries) cost += k_long_compare + branch(left < right);
+  if (!carries) {
+    cost += k_long_compare + branch(left < right);
+  }
   return cost + (left < right ? words(1) + k_return
                               : next(quotient.bits() << (quotient.high >> 15U == 0 ? 1U : 0U)));
 }
@@ -39,10 +41,14 @@ RoutineCost doubtful(const Quotient& quotient, std::uint32_t divisor) {
 RoutineCost normalised_result(const Quotient& quotient, std::uint32_t divisor) {
   const std::uint32_t byte = quotient.low & 0xffU;
   const RoutineCost cost = words(1) + branch(byte >= 0x80U);
-  if (byte < 0x80U) return cost + words(3) + k_return;
+  if (byte < 0x80U) {
+    return cost + words(3) + k_return;
+  }
   const bool is_doubtful = byte < 0x82U;
   const RoutineCost checked = cost + words(1) + branch(is_doubtful);
-  if (!is_doubtful) return checked + words(2) + next(quotient.bits());
+  if (!is_doubtful) {
+    return checked + words(2) + next(quotient.bits());
+  }
   return checked + words(1) + shift(1) + k_low_bit_set + words(2) + doubtful(quotient, divisor);
 }
 
@@ -50,7 +56,9 @@ RoutineCost shifted_result(const Quotient& quotient, std::uint32_t divisor) {
   const std::uint32_t bits = quotient.bits() << 1U;
   const std::uint32_t byte = bits & 0xffU;
   const RoutineCost cost = words(1) + branch(byte >= 0x80U);
-  if (byte < 0x80U) return cost + words(2) + k_return;
+  if (byte < 0x80U) {
+    return cost + words(2) + k_return;
+  }
   const bool is_doubtful = byte < 0x84U;
   const RoutineCost checked = cost + words(1) + branch(is_doubtful);
   return checked + (is_doubtful ? doubtful(quotient, divisor) : words(1) + next(bits));
@@ -60,7 +68,9 @@ RoutineCost result(const Quotient& quotient, std::uint32_t divisor, unsigned rai
                    bool is_negative) {
   const bool shifts = quotient.high >> 15U == 0;
   const RoutineCost cost = words(1) + branch(shifts);
-  if (!shifts) return cost + normalised_result(quotient, divisor);
+  if (!shifts) {
+    return cost + normalised_result(quotient, divisor);
+  }
   const RoutineCost shifted = cost + words(2) + k_long + words(1);
   if (raised_exponent == 0) {
     return shifted + overflow_branches(true, !is_negative) + words(1) + k_return;
@@ -82,7 +92,9 @@ RoutineCost half(std::uint32_t d7, std::uint32_t d6) {
 
 RoutineCost out_of_range(std::uint32_t d7, std::uint32_t d6) {
   const RoutineCost cost = words(5);
-  if (exponent(d7) < exponent(d6)) return cost + k_taken + words(1) + k_return;
+  if (exponent(d7) < exponent(d6)) {
+    return cost + k_taken + words(1) + k_return;
+  }
   const bool just = exponent(d7) - exponent(d6) == 63;
   return cost + k_not_taken + k_immediate + branch(!just) +
          (just ? half(d7, d6) : saturated(negative(d7 ^ d6)));
@@ -123,13 +135,19 @@ RoutineCost quotient_of(std::uint32_t d7, std::uint32_t d6, Quotient& quotient) 
 }  // namespace
 
 RoutineCost divide_cost(std::uint32_t d7, std::uint32_t d6) {
-  if (d7 == 0) return words(1) + k_taken + k_return;
-  if (d6 == 0) return words(2) + k_not_taken + k_taken + saturated(negative(d7));
+  if (d7 == 0) {
+    return words(1) + k_taken + k_return;
+  }
+  if (d6 == 0) {
+    return words(2) + k_not_taken + k_taken + saturated(negative(d7));
+  }
   const unsigned raised_exponent = exponent(d7) + 65 - exponent(d6);
   const bool in_range = raised_exponent <= 127;
   const RoutineCost entered =
       words(6) + k_not_taken + k_not_taken + k_immediate + branch(!in_range);
-  if (!in_range) return entered + out_of_range(d7, d6);
+  if (!in_range) {
+    return entered + out_of_range(d7, d6);
+  }
   Quotient quotient;
   const RoutineCost divided = entered + quotient_of(d7, d6, quotient);
   return divided + result(quotient, mantissa(d6), raised_exponent, negative(d7 ^ d6));

@@ -9,7 +9,9 @@ namespace {
 // The loop that shifts until the highest bit is set, entered by a test of it.
 RoutineCost shifts(unsigned places, RoutineCost step) {
   RoutineCost cost = words(1) + (places == 0 ? k_loop_left : k_taken);
-  for (unsigned i = 1; i < places; ++i) cost += step + k_taken;
+  for (unsigned i = 1; i < places; ++i) {
+    cost += step + k_taken;
+  }
   return cost + (places == 0 ? RoutineCost{} : step + k_loop_left);
 }
 
@@ -34,18 +36,24 @@ RoutineCost small_integer(std::uint32_t magnitude) {
 RoutineCost rounded_integer(std::uint32_t magnitude) {
   const unsigned places = leading_zeros(magnitude);
   RoutineCost cost = words(1) + k_taken;
-  for (unsigned i = 0; i < places; ++i) cost += k_taken + k_long;
+  for (unsigned i = 0; i < places; ++i) {
+    cost += k_taken + k_long;
+  }
   cost += k_loop_left + words(1);
   const std::uint32_t bits = magnitude << places;
   const bool up = (bits & 0x80U) != 0;
   cost += branch(up);
-  if (!up) return cost + words(1) + k_return;
+  if (!up) {
+    return cost + words(1) + k_return;
+  }
   const bool tie = (bits & 0xffU) == 0x80U;
   cost += branch(!tie);
   if (tie) {
     const bool even = (bits & 0x100U) == 0;
     cost += k_bit_test + branch(even);
-    if (even) return cost + words(1) + k_return;
+    if (even) {
+      return cost + words(1) + k_return;
+    }
   }
   const bool carries = bits >> 8U == 0xffffffU;
   return cost + words(1) + k_long_add + branch(carries) +
@@ -55,7 +63,9 @@ RoutineCost rounded_integer(std::uint32_t magnitude) {
 RoutineCost large_integer(std::uint32_t magnitude) {
   const bool rounds = magnitude > 0xffffffU;
   const RoutineCost cost = k_immediate + k_long_compare_with + branch(rounds);
-  if (rounds) return cost + rounded_integer(magnitude);
+  if (rounds) {
+    return cost + rounded_integer(magnitude);
+  }
   return cost + long_shift(8) + words(1) + shifts(leading_zeros(magnitude) - 8, k_long) + words(1) +
          k_return;
 }
@@ -63,7 +73,9 @@ RoutineCost large_integer(std::uint32_t magnitude) {
 }  // namespace
 
 RoutineCost from_integer_cost(std::uint32_t integer) {
-  if (integer == 0) return words(1) + k_taken + k_return;
+  if (integer == 0) {
+    return words(1) + k_taken + k_return;
+  }
   const bool is_negative = integer >> 31U != 0;
   const std::uint32_t magnitude = is_negative ? 0U - integer : integer;
   const bool large = magnitude > 0xffffU;

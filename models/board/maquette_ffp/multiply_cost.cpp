@@ -25,7 +25,9 @@ struct Factors {
 // Adds one in the last place; the exponent has room.
 RoutineCost next(std::uint32_t bits) {
   const RoutineCost added = words(1) + k_immediate;
-  if (low(bits) != 0xff00U) return added + k_not_taken + k_return;
+  if (low(bits) != 0xff00U) {
+    return added + k_not_taken + k_return;
+  }
   const bool carries_out = high(bits) == 0xffffU;
   const RoutineCost ripple = added + k_taken + words(2) + branch(carries_out);
   return ripple + (carries_out ? k_immediate + words(2) : words(1)) + k_return;
@@ -47,13 +49,17 @@ RoutineCost exact(const Factors& f) {
   const auto bits = static_cast<std::uint32_t>(product >> 32U);
   const bool up = (bits & 0x80U) != 0;
   cost += words(1) + branch(!up);
-  if (!up) return cost + words(1) + k_return;
+  if (!up) {
+    return cost + words(1) + k_return;
+  }
   const bool tie = (bits & 0x7fU) == 0 && !rest;
   cost += word_branch(!tie);
   if (tie) {
     const bool odd = (bits & 0x100U) != 0;
     cost += k_bit_test + word_branch(odd);
-    if (!odd) return cost + words(1) + k_return;
+    if (!odd) {
+      return cost + words(1) + k_return;
+    }
   }
   return cost + next(bits);
 }
@@ -64,7 +70,9 @@ RoutineCost normalised_result(const Factors& f) {
   const bool up = byte >= 0x80U;
   const bool doubtful = byte == 0x7fU || byte == 0x80U;
   const RoutineCost cost = words(1) + branch(up) + words(up ? 0 : 1) + branch(doubtful);
-  if (doubtful) return cost + k_taken + exact(f);
+  if (doubtful) {
+    return cost + k_taken + exact(f);
+  }
   return cost + (up ? next(bits) : words(1) + k_return);
 }
 
@@ -74,7 +82,9 @@ RoutineCost shifted_result(const Factors& f) {
   const bool up = byte >= 0x80U;
   const bool doubtful = byte == 0x7eU || byte == 0x80U;
   const RoutineCost cost = words(1) + branch(up) + words(up ? 0 : 1);
-  if (doubtful) return cost + branch(!up) + words(1) + k_taken + exact(f);
+  if (doubtful) {
+    return cost + branch(!up) + words(1) + k_taken + exact(f);
+  }
   return cost + (up ? k_taken + next(bits) : k_not_taken + words(1) + k_return);
 }
 
@@ -99,8 +109,12 @@ RoutineCost twice(std::uint32_t d7, std::uint32_t d6, const Factors& f) {
 
 RoutineCost out_of_range(std::uint32_t d7, std::uint32_t d6, unsigned sum, const Factors& f) {
   const RoutineCost cost = words(5) + k_immediate;
-  if (sum < 192) return cost + k_taken + words(1) + k_return;
-  if (sum == 192) return cost + k_not_taken + k_not_taken + half(d7, d6, f);
+  if (sum < 192) {
+    return cost + k_taken + words(1) + k_return;
+  }
+  if (sum == 192) {
+    return cost + k_not_taken + k_not_taken + half(d7, d6, f);
+  }
   const bool is_negative = negative(d7 ^ d6);
   return cost + k_not_taken + k_taken + words(1) + branch(!is_negative) + largest(is_negative);
 }
@@ -108,19 +122,29 @@ RoutineCost out_of_range(std::uint32_t d7, std::uint32_t d6, unsigned sum, const
 }  // namespace
 
 RoutineCost multiply_cost(std::uint32_t d7, std::uint32_t d6) {
-  if (d7 == 0) return words(1) + k_taken + k_return;
-  if (d6 == 0) return words(2) + k_not_taken + k_taken + words(1) + k_return;
+  if (d7 == 0) {
+    return words(1) + k_taken + k_return;
+  }
+  if (d6 == 0) {
+    return words(2) + k_not_taken + k_taken + words(1) + k_return;
+  }
   const Factors f{high(d7), low(d7), high(d6), low(d6)};
   const bool shifts = f.upper() >> 31U == 0;
   const unsigned sum = exponent(d7) + exponent(d6);
   const bool in_range = sum >= 64 && sum < 192;
   RoutineCost cost = words(5) + k_not_taken + k_not_taken + k_immediate + branch(!in_range);
-  if (!in_range) return cost + out_of_range(d7, d6, sum, f);
+  if (!in_range) {
+    return cost + out_of_range(d7, d6, sum, f);
+  }
   cost += words(3) + multiplication(f.b0) + words(2) + multiplication(f.a0) + words(2) +
           multiplication(f.b1) + words(1) + k_long + words(3) + k_long + branch(shifts);
-  if (!shifts) return cost + normalised_result(f);
+  if (!shifts) {
+    return cost + normalised_result(f);
+  }
   cost += k_long + words(1);
-  if (sum == 64) return cost + twice(d7, d6, f);
+  if (sum == 64) {
+    return cost + twice(d7, d6, f);
+  }
   return cost + k_not_taken + k_not_taken + shifted_result(f);
 }
 

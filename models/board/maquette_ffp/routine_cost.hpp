@@ -72,7 +72,9 @@ constexpr RoutineCost largest(bool is_negative) {
 
 /// Returns it where two branches find that an exponent has run over; where it has not, goes on.
 constexpr RoutineCost overflow_branches(bool overflow, bool is_negative) {
-  if (!overflow) return k_not_taken + k_not_taken;
+  if (!overflow) {
+    return k_not_taken + k_not_taken;
+  }
   return is_negative ? k_not_taken + k_taken : k_taken;
 }
 

@@ -37,17 +37,23 @@ RoutineCost doubtful(const Root& root) {
   const RoutineCost down = words(4) + k_return;
   const RoutineCost up = words(3) + k_taken + next(root.high << 16U | root.low);
   cost += branch(excess < product);
-  if (excess < product) return cost + down;
+  if (excess < product) {
+    return cost + down;
+  }
   const std::uint64_t left = excess - product;
   cost += words(2) + branch(left >> 16U != 0);
-  if (left >> 16U != 0) return cost + up;
+  if (left >> 16U != 0) {
+    return cost + up;
+  }
   return cost + words(2) + branch(left <= square) + (left <= square ? down : up);
 }
 
 RoutineCost rounded(const Root& root) {
   const std::uint32_t byte = root.low & 0xffU;
   const RoutineCost cost = words(1) + branch(byte >= 0x80U);
-  if (byte < 0x80U) return cost + words(2) + k_return;
+  if (byte < 0x80U) {
+    return cost + words(2) + k_return;
+  }
   const bool is_doubtful = byte < 0x84U;
   return cost + words(1) + branch(is_doubtful) +
          (is_doubtful ? doubtful(root) : next(root.high << 16U | root.low));
@@ -68,9 +74,15 @@ RoutineCost line(bool odd, std::uint32_t high_word, std::uint32_t& value) {
 RoutineCost square_root_cost(std::uint32_t d7) {
   const bool special = negative(d7) || (d7 & 0xffU) == 0;
   RoutineCost cost = words(1) + branch(special);
-  if (negative(d7)) return cost + k_taken + words(1) + k_return;
-  if (d7 == 0) return cost + k_not_taken + words(1) + k_not_taken + words(1) + k_return;
-  if (special) cost += k_not_taken + words(1) + k_taken;
+  if (negative(d7)) {
+    return cost + k_taken + words(1) + k_return;
+  }
+  if (d7 == 0) {
+    return cost + k_not_taken + words(1) + k_not_taken + words(1) + k_return;
+  }
+  if (special) {
+    cost += k_not_taken + words(1) + k_taken;
+  }
   const bool odd = (exponent(d7) & 1U) != 0;
   Root root;
   root.radicand = mantissa(d7) >> (odd ? 3U : 2U);

@@ -41,19 +41,29 @@ RoutineCost carried(const Alignment& alignment) {
   const bool is_negative = negative(alignment.result_byte);
   const RoutineCost cost = k_taken + alignment.sign() + words(2) + long_shift(1) + words(1) +
                            overflow_branches(overflow, is_negative);
-  if (!overflow) return cost;
+  if (!overflow) {
+    return cost;
+  }
   return cost + k_taken + words(1) + branch(!is_negative) + largest(is_negative);
 }
 
 RoutineCost near_carry(const Alignment& alignment, const Sum& sum) {
   RoutineCost cost = carried(alignment);
-  if (exponent(alignment.result_byte) == 127) return cost;
+  if (exponent(alignment.result_byte) == 127) {
+    return cost;
+  }
   const Rounding rounding = after_carry(sum);
   cost += words(1) + branch(rounding.up());
-  if (!rounding.up()) return cost + words(1) + k_return;
+  if (!rounding.up()) {
+    return cost + words(1) + k_return;
+  }
   cost += branch(rounding.tie()) + words(1);
-  if (rounding.tie()) cost += k_bit_test + branch(rounding.odd());
-  if (rounding.tie() && !rounding.odd()) return cost + k_return;
+  if (rounding.tie()) {
+    cost += k_bit_test + branch(rounding.odd());
+  }
+  if (rounding.tie() && !rounding.odd()) {
+    return cost + k_return;
+  }
   return cost + next_mantissa(rounding.mantissa, alignment.result_byte + 1);
 }
 
@@ -61,28 +71,44 @@ RoutineCost near_sum(const Alignment& alignment) {
   const Sum sum = sum_of(alignment);
   const RoutineCost shifted =
       words(alignment.reversed ? 1 : 2) + long_shift(alignment.distance) + words(2) + k_long;
-  if (sum.carry) return shifted + near_carry(alignment, sum);
+  if (sum.carry) {
+    return shifted + near_carry(alignment, sum);
+  }
   const Rounding rounding{sum.mantissa, sum.byte};
   RoutineCost cost = shifted + k_not_taken + alignment.sign() + words(1) + branch(rounding.up());
-  if (!rounding.up()) return cost + k_return;
+  if (!rounding.up()) {
+    return cost + k_return;
+  }
   cost += branch(rounding.tie());
-  if (rounding.tie()) cost += k_bit_test + branch(rounding.odd());
-  if (rounding.tie() && !rounding.odd()) return cost + k_return;
+  if (rounding.tie()) {
+    cost += k_bit_test + branch(rounding.odd());
+  }
+  if (rounding.tie() && !rounding.odd()) {
+    return cost + k_return;
+  }
   return cost + next_mantissa(rounding.mantissa, alignment.result_byte);
 }
 
 RoutineCost far_carry(const Alignment& alignment, const Sum& sum) {
   RoutineCost cost = carried(alignment);
-  if (exponent(alignment.result_byte) == 127) return cost;
+  if (exponent(alignment.result_byte) == 127) {
+    return cost;
+  }
   const Rounding rounding = after_carry(sum);
   cost += words(1) + branch(rounding.up());
-  if (!rounding.up()) return cost + words(1) + k_return;
+  if (!rounding.up()) {
+    return cost + words(1) + k_return;
+  }
   cost += branch(!rounding.tie());
   if (rounding.tie()) {
     const bool lost = loses(alignment.small | sum.byte, alignment.distance);
     cost += isolation(alignment.distance) + branch(lost);
-    if (!lost) cost += k_bit_test + branch(!rounding.odd());
-    if (!lost && !rounding.odd()) return cost + words(1) + k_return;
+    if (!lost) {
+      cost += k_bit_test + branch(!rounding.odd());
+    }
+    if (!lost && !rounding.odd()) {
+      return cost + words(1) + k_return;
+    }
   }
   return cost + words(1) + k_taken + next_mantissa(rounding.mantissa, alignment.result_byte + 1);
 }
@@ -91,16 +117,24 @@ RoutineCost far_sum(const Alignment& alignment) {
   const Sum sum = sum_of(alignment);
   const RoutineCost shifted =
       words(alignment.reversed ? 2 : 3) + long_shift(alignment.distance) + words(2) + k_long;
-  if (sum.carry) return shifted + far_carry(alignment, sum);
+  if (sum.carry) {
+    return shifted + far_carry(alignment, sum);
+  }
   const Rounding rounding{sum.mantissa, sum.byte};
   RoutineCost cost = shifted + k_not_taken + alignment.sign() + words(1) + branch(rounding.up());
-  if (!rounding.up()) return cost + k_return;
+  if (!rounding.up()) {
+    return cost + k_return;
+  }
   cost += branch(!rounding.tie());
   if (rounding.tie()) {
     const bool lost = loses(alignment.small, alignment.distance);
     cost += isolation(alignment.distance) + branch(lost);
-    if (!lost) cost += k_bit_test + branch(rounding.odd());
-    if (!lost && !rounding.odd()) return cost + k_return;
+    if (!lost) {
+      cost += k_bit_test + branch(rounding.odd());
+    }
+    if (!lost && !rounding.odd()) {
+      return cost + k_return;
+    }
   }
   return cost + next_mantissa(rounding.mantissa, alignment.result_byte);
 }
@@ -109,8 +143,12 @@ RoutineCost far_sum(const Alignment& alignment) {
 
 RoutineCost sum(const Alignment& alignment) {
   const RoutineCost cost = comparison_of_exponents(alignment);
-  if (!alignment.is_far()) return cost + near_sum(alignment);
-  if (alignment.distance <= 24) return cost + k_immediate + k_taken + far_sum(alignment);
+  if (!alignment.is_far()) {
+    return cost + near_sum(alignment);
+  }
+  if (alignment.distance <= 24) {
+    return cost + k_immediate + k_taken + far_sum(alignment);
+  }
   return cost + k_immediate + k_not_taken + words(alignment.reversed ? 1 : 0) + alignment.sign() +
          k_return;
 }

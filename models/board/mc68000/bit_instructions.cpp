@@ -12,9 +12,15 @@ enum class BitAction : std::uint8_t { test, change, clear, set };
 
 template <BitAction action>
 std::uint32_t acted(std::uint32_t operand, std::uint32_t bit) {
-  if constexpr (action == BitAction::change) return operand ^ bit;
-  if constexpr (action == BitAction::clear) return operand & ~bit;
-  if constexpr (action == BitAction::set) return operand | bit;
+  if constexpr (action == BitAction::change) {
+    return operand ^ bit;
+  }
+  if constexpr (action == BitAction::clear) {
+    return operand & ~bit;
+  }
+  if constexpr (action == BitAction::set) {
+    return operand | bit;
+  }
   return operand;
 }
 
@@ -27,7 +33,9 @@ void act_on_bit(ExecutionUnit& unit, unsigned word, unsigned number) {
     conditions.non_zero = operand & bit;
     operand = acted<action>(operand, bit);
     if constexpr (action != BitAction::test) {
-      if ((number & 16U) != 0) unit.counter.charge_cycles(2);
+      if ((number & 16U) != 0) {
+        unit.counter.charge_cycles(2);
+      }
     }
   } else {
     const std::uint32_t bit = 1U << (number & 7U);
@@ -59,7 +67,9 @@ constexpr InstructionCost bit_cost(Mode mode) {
   if (action == BitAction::test) {
     return InstructionCost{is_register_or_immediate(mode) ? 6U : 4U, 1} + operand;
   }
-  if (mode == Mode::data_register) return {action == BitAction::clear ? 8U : 6U, 1};
+  if (mode == Mode::data_register) {
+    return {action == BitAction::clear ? 8U : 6U, 1};
+  }
   return InstructionCost{8, 1, 0, 1} + operand;
 }
 

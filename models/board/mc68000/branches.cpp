@@ -77,7 +77,9 @@ void set_if(ExecutionUnit& unit, unsigned word) {
   const bool truth = holds<condition>(unit.registers.conditions);
   modify_operand<mode, OperandSize::byte>(
       unit, word, [truth](std::uint8_t /*before*/) -> std::uint8_t { return truth ? 0xff : 0; });
-  if (mode == Mode::data_register && truth) unit.counter.charge_cycles(2);
+  if (mode == Mode::data_register && truth) {
+    unit.counter.charge_cycles(2);
+  }
 }
 
 // Branches with a word of displacement, those with a byte, and those of later processors.

@@ -54,13 +54,27 @@ bool holds(const ConditionCodes& codes) {
   constexpr bool inverted = (condition & 1U) != 0;
   constexpr unsigned kind = condition >> 1U;
   bool truth = true;
-  if constexpr (kind == 1) truth = !codes.carry && !codes.zero();
-  if constexpr (kind == 2) truth = !codes.carry;
-  if constexpr (kind == 3) truth = !codes.zero();
-  if constexpr (kind == 4) truth = !codes.overflow;
-  if constexpr (kind == 5) truth = !codes.negative();
-  if constexpr (kind == 6) truth = codes.negative() == codes.overflow;
-  if constexpr (kind == 7) truth = !codes.zero() && codes.negative() == codes.overflow;
+  if constexpr (kind == 1) {
+    truth = !codes.carry && !codes.zero();
+  }
+  if constexpr (kind == 2) {
+    truth = !codes.carry;
+  }
+  if constexpr (kind == 3) {
+    truth = !codes.zero();
+  }
+  if constexpr (kind == 4) {
+    truth = !codes.overflow;
+  }
+  if constexpr (kind == 5) {
+    truth = !codes.negative();
+  }
+  if constexpr (kind == 6) {
+    truth = codes.negative() == codes.overflow;
+  }
+  if constexpr (kind == 7) {
+    truth = !codes.zero() && codes.negative() == codes.overflow;
+  }
   return truth != inverted;
 }
 

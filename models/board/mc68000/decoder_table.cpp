@@ -14,8 +14,12 @@ template <StopReason reason>
 }
 
 Handler refusal_of(unsigned word) {
-  if (word >> 12U == 0xa) return refuse<StopReason::line_a>;
-  if (word >> 12U == 0xf) return refuse<StopReason::line_f>;
+  if (word >> 12U == 0xa) {
+    return refuse<StopReason::line_a>;
+  }
+  if (word >> 12U == 0xf) {
+    return refuse<StopReason::line_f>;
+  }
   return refuse<StopReason::illegal_instruction>;
 }
 
@@ -55,7 +59,9 @@ void DecoderTable::set(unsigned pattern, unsigned free_bits, Handler handler,
       throw std::logic_error("an instruction word has two meanings");
     }
     instructions_[word] = {handler, packed(cost)};
-    if (variant == 0) return;
+    if (variant == 0) {
+      return;
+    }
     variant = (variant - 1) & free_bits;
   }
 }

@@ -10,7 +10,9 @@ namespace maquette::models::mc68000 {
 /// How far (An)+ and -(An) move a register: the stack stays even.
 template <OperandSize size>
 std::uint32_t step_of(unsigned address_register) {
-  if (size == OperandSize::byte && address_register == 7) return 2;
+  if (size == OperandSize::byte && address_register == 7) {
+    return 2;
+  }
   return bytes_of(size);
 }
 
@@ -18,7 +20,9 @@ std::uint32_t step_of(unsigned address_register) {
 /// MC68000 would read otherwise than the later processors for which it was written.
 inline std::uint32_t indexed(ExecutionUnit& unit, std::uint32_t base) {
   const std::uint32_t word = unit.fetch();
-  if ((word & 0x700U) != 0) throw Fault{StopReason::later_encoding};
+  if ((word & 0x700U) != 0) {
+    throw Fault{StopReason::later_encoding};
+  }
   const std::uint32_t index = unit.registers.general[word >> 12U];
   const bool whole = (word & 0x800U) != 0;
   return base + sign_extended<OperandSize::byte>(low_part<OperandSize::byte>(word)) +
@@ -51,7 +55,9 @@ std::uint32_t address_of(ExecutionUnit& unit, unsigned field) {
   } else {
     static_assert(mode == Mode::program_displacement || mode == Mode::program_index);
     const std::uint32_t here = unit.registers.program_counter;
-    if constexpr (mode == Mode::program_index) return indexed(unit, here);
+    if constexpr (mode == Mode::program_index) {
+      return indexed(unit, here);
+    }
     return here + displacement();
   }
 }
@@ -64,7 +70,9 @@ Operand<size> read_operand(ExecutionUnit& unit, unsigned word) {
   } else if constexpr (mode == Mode::address_register) {
     return low_part<size>(unit.registers.address(word));
   } else if constexpr (mode == Mode::immediate) {
-    if constexpr (size == OperandSize::long_word) return unit.fetch_long();
+    if constexpr (size == OperandSize::long_word) {
+      return unit.fetch_long();
+    }
     return low_part<size>(unit.fetch());
   } else {
     return unit.memory.read<size>(address_of<mode, size>(unit, word));

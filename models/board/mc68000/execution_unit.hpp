@@ -43,7 +43,9 @@ struct ExecutionUnit {
 
   /// Throws Fault for an odd address, where no instruction can be.
   static void check_target(std::uint32_t target) {
-    if ((target & 1U) != 0) throw Fault{StopReason::odd_address, target};
+    if ((target & 1U) != 0) {
+      throw Fault{StopReason::odd_address, target};
+    }
   }
 
   /// Throws as check_target().
@@ -64,7 +66,9 @@ struct ExecutionUnit {
 
   /// Throws Fault in user mode.
   void require_supervisor() const {
-    if (!registers.supervisor) throw Fault{StopReason::privilege_violation};
+    if (!registers.supervisor) {
+      throw Fault{StopReason::privilege_violation};
+    }
   }
 
   Registers registers;

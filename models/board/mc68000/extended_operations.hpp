@@ -53,8 +53,12 @@ struct AddDecimal {
     const unsigned extend = codes.extend ? 1 : 0;
     const unsigned binary = unsigned{destination} + source + extend;
     unsigned sum = binary;
-    if ((destination & 15U) + (source & 15U) + extend > 9) sum += 0x06;
-    if (sum > 0x9f) sum += 0x60;
+    if ((destination & 15U) + (source & 15U) + extend > 9) {
+      sum += 0x06;
+    }
+    if (sum > 0x9f) {
+      sum += 0x60;
+    }
     codes.extend = sum > 0xff;
     codes.carry = codes.extend;
     codes.overflow = (~binary & sum & 0x80U) != 0;
@@ -74,8 +78,12 @@ struct SubtractDecimal {
     const unsigned extend = codes.extend ? 1 : 0;
     const unsigned binary = unsigned{destination} - source - extend;
     unsigned difference = binary;
-    if ((destination & 15U) < (source & 15U) + extend) difference -= 0x06;
-    if (destination < source + extend) difference -= 0x60;
+    if ((destination & 15U) < (source & 15U) + extend) {
+      difference -= 0x06;
+    }
+    if (destination < source + extend) {
+      difference -= 0x60;
+    }
     codes.extend = difference > 0xff;
     codes.carry = codes.extend;
     codes.overflow = (binary & ~difference & 0x80U) != 0;

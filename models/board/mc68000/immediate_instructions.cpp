@@ -63,7 +63,9 @@ constexpr InstructionCost compare_immediate_cost(OperandSize size, Mode mode) {
 }
 
 constexpr InstructionCost quick_cost(OperandSize size, Mode mode) {
-  if (mode == Mode::data_register) return {size == OperandSize::long_word ? 8U : 4U, 1};
+  if (mode == Mode::data_register) {
+    return {size == OperandSize::long_word ? 8U : 4U, 1};
+  }
   return k_one_word + operand_cost(mode, size) + store_cost(size);
 }
 

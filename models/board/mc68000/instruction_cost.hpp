@@ -67,8 +67,12 @@ constexpr InstructionCost address_cost(Mode mode) {
 /// Table 8-1: what an operand costs to fetch, its address included.
 constexpr InstructionCost operand_cost(Mode mode, OperandSize size) {
   const unsigned words = words_of(size);
-  if (mode == Mode::immediate) return {4 * words, words};
-  if (is_register_or_immediate(mode)) return {};
+  if (mode == Mode::immediate) {
+    return {4 * words, words};
+  }
+  if (is_register_or_immediate(mode)) {
+    return {};
+  }
   return address_cost(mode) + InstructionCost{4 * words, 0, words};
 }
 

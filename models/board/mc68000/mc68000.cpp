@@ -16,7 +16,9 @@ template <bool with_stop_address>
 void run_slice(ExecutionUnit& unit, CurrentInstruction& current, std::uint32_t stop_address) {
   const DecoderTable& table = decoder_table();
   while (unit.counter.slice_goes_on()) {
-    if (with_stop_address && unit.registers.program_counter == stop_address) return;
+    if (with_stop_address && unit.registers.program_counter == stop_address) {
+      return;
+    }
     current.address = unit.registers.program_counter;
     current.word = unit.fetch();
     const DecodedInstruction& instruction = table[current.word];
@@ -28,9 +30,15 @@ void run_slice(ExecutionUnit& unit, CurrentInstruction& current, std::uint32_t s
 Stop run_until(ExecutionUnit& unit, CurrentInstruction& current, const RunLimit& limit) {
   while (true) {
     const std::uint32_t here = unit.registers.program_counter;
-    if (unit.memory.take_pause()) return {StopReason::bus_pause, here};
-    if (limit.stop_address == here) return {StopReason::stop_address, here};
-    if (unit.counter.account().cycles >= limit.cycles) return {StopReason::cycle_limit, here};
+    if (unit.memory.take_pause()) {
+      return {StopReason::bus_pause, here};
+    }
+    if (limit.stop_address == here) {
+      return {StopReason::stop_address, here};
+    }
+    if (unit.counter.account().cycles >= limit.cycles) {
+      return {StopReason::cycle_limit, here};
+    }
     unit.counter.begin_slice(limit.cycles);
     if (limit.stop_address) {
       run_slice<true>(unit, current, *limit.stop_address);

@@ -12,16 +12,24 @@ namespace {
 using Kind = BusRequest::Kind;
 
 void check_even(OperandSize size, std::uint32_t place) {
-  if (size != OperandSize::byte && (place & 1U) != 0) throw Fault{StopReason::odd_address, place};
+  if (size != OperandSize::byte && (place & 1U) != 0) {
+    throw Fault{StopReason::odd_address, place};
+  }
 }
 
 Account counts(Kind kind, OperandSize size, unsigned wait_cycles) {
   const unsigned words = words_of(size);
   Account access;
   access.bus_wait_cycles = wait_cycles;
-  if (kind == Kind::fetch) access.bus_fetches = words;
-  if (kind == Kind::read || kind == Kind::test_and_set) access.bus_reads = words;
-  if (kind == Kind::write || kind == Kind::test_and_set) access.bus_writes = words;
+  if (kind == Kind::fetch) {
+    access.bus_fetches = words;
+  }
+  if (kind == Kind::read || kind == Kind::test_and_set) {
+    access.bus_reads = words;
+  }
+  if (kind == Kind::write || kind == Kind::test_and_set) {
+    access.bus_writes = words;
+  }
   return access;
 }
 
@@ -47,7 +55,9 @@ bool MemoryInterface::take_pause() { return std::exchange(pause_, false); }
 
 std::uint32_t MemoryInterface::read_outside(OperandSize size, std::uint32_t place) {
   check_even(size, place);
-  if (!is_split(size, place)) return request(Kind::read, size, place, 0);
+  if (!is_split(size, place)) {
+    return request(Kind::read, size, place, 0);
+  }
   const std::uint32_t high = read<OperandSize::word>(place);
   return high << 16U | read<OperandSize::word>(place + 2);
 }
@@ -63,7 +73,9 @@ void MemoryInterface::write_outside(OperandSize size, std::uint32_t place, std::
 }
 
 std::uint16_t MemoryInterface::fetch_beyond(std::uint32_t place) {
-  if (is_in_ram<OperandSize::word>(place)) return load<OperandSize::word>(place);
+  if (is_in_ram<OperandSize::word>(place)) {
+    return load<OperandSize::word>(place);
+  }
   return static_cast<std::uint16_t>(request(Kind::fetch, OperandSize::word, place, 0));
 }
 
@@ -79,7 +91,9 @@ std::uint32_t MemoryInterface::request(Kind kind, OperandSize size, std::uint32_
   const BusReply reply = bus_->access({kind, size, place, value}, counter_->account());
   counter_->count_outside(counts(kind, size, reply.wait_cycles));
   pause_ = pause_ || reply.pause;
-  if (reply.error) throw Fault{StopReason::bus_error, place};
+  if (reply.error) {
+    throw Fault{StopReason::bus_error, place};
+  }
   return reply.value;
 }
 

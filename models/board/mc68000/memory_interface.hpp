@@ -26,7 +26,9 @@ class MemoryInterface {
   template <OperandSize size>
   Operand<size> read(std::uint32_t address) {
     const std::uint32_t place = address & k_address_mask;
-    if (is_in_ram<size>(place)) return load<size>(place);
+    if (is_in_ram<size>(place)) {
+      return load<size>(place);
+    }
     return static_cast<Operand<size>>(read_outside(size, place));
   }
 
@@ -43,7 +45,9 @@ class MemoryInterface {
 
   /// Reads a word of the program at an even address. Throws Fault when the bus replies an error.
   std::uint16_t fetch(std::uint32_t address) {
-    if (address < ram_.size) return load<OperandSize::word>(address);
+    if (address < ram_.size) {
+      return load<OperandSize::word>(address);
+    }
     return fetch_beyond(address & k_address_mask);
   }
 

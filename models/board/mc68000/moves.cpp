@@ -22,8 +22,12 @@ void move_address(ExecutionUnit& unit, unsigned word) {
 
 // A predecremented destination takes no time of its own: the read before it hides it.
 constexpr InstructionCost destination_cost(OperandSize size, Mode mode) {
-  if (is_register_or_immediate(mode)) return {};
-  if (mode == Mode::predecrement) return store_cost(size);
+  if (is_register_or_immediate(mode)) {
+    return {};
+  }
+  if (mode == Mode::predecrement) {
+    return store_cost(size);
+  }
   return address_cost(mode) + store_cost(size);
 }
 

@@ -23,7 +23,9 @@ void store_downwards(ExecutionUnit& unit, unsigned word) {
   std::uint32_t address = unit.registers.address(word);
   unsigned count = 0;
   for (unsigned bit = 0; bit < k_registers; ++bit) {
-    if ((mask >> bit & 1U) == 0) continue;
+    if ((mask >> bit & 1U) == 0) {
+      continue;
+    }
     address -= bytes_of(size);
     unit.memory.write<size>(address, low_part<size>(unit.registers.general[k_registers - 1 - bit]));
     ++count;
@@ -38,7 +40,9 @@ void store_registers(ExecutionUnit& unit, unsigned word) {
   std::uint32_t address = address_of<mode, size>(unit, word);
   unsigned count = 0;
   for (unsigned number = 0; number < k_registers; ++number) {
-    if ((mask >> number & 1U) == 0) continue;
+    if ((mask >> number & 1U) == 0) {
+      continue;
+    }
     unit.memory.write<size>(address, low_part<size>(unit.registers.general[number]));
     address += bytes_of(size);
     ++count;
@@ -54,13 +58,17 @@ void load_registers(ExecutionUnit& unit, unsigned word) {
   std::uint32_t address = address_of<start, size>(unit, word);
   unsigned count = 0;
   for (unsigned number = 0; number < k_registers; ++number) {
-    if ((mask >> number & 1U) == 0) continue;
+    if ((mask >> number & 1U) == 0) {
+      continue;
+    }
     unit.registers.general[number] = sign_extended<size>(unit.memory.read<size>(address));
     address += bytes_of(size);
     ++count;
   }
   unit.memory.read<OperandSize::word>(address);
-  if constexpr (mode == Mode::postincrement) unit.registers.address(word) = address;
+  if constexpr (mode == Mode::postincrement) {
+    unit.registers.address(word) = address;
+  }
   charge_registers<size>(unit, count, {0, 0, 1, 0});
 }
 

@@ -24,15 +24,21 @@ unsigned signed_multiplication_cycles(std::uint16_t source) {
 unsigned unsigned_division_cycles(std::uint32_t dividend, std::uint16_t divisor) {
   constexpr unsigned k_overflow = 10;
   constexpr unsigned k_without_extra = 76;
-  if (dividend >> 16U >= divisor) return k_overflow;
+  if (dividend >> 16U >= divisor) {
+    return k_overflow;
+  }
   const std::uint32_t aligned = std::uint32_t{divisor} << 16U;
   unsigned extra = 0;
   for (unsigned bit = 1; bit < k_quotient_bits; ++bit) {
     const bool carried = dividend >> 31U != 0;
     dividend <<= 1U;
     const bool fits = carried || dividend >= aligned;
-    if (fits) dividend -= aligned;
-    if (!carried) extra += fits ? 2 : 4;
+    if (fits) {
+      dividend -= aligned;
+    }
+    if (!carried) {
+      extra += fits ? 2 : 4;
+    }
   }
   return k_without_extra + extra;
 }
@@ -46,7 +52,9 @@ unsigned signed_division_cycles(std::int32_t dividend, std::int16_t divisor) {
   const auto magnitude =
       negative ? 0U - static_cast<std::uint32_t>(dividend) : static_cast<std::uint32_t>(dividend);
   const auto divisor_magnitude = static_cast<std::uint32_t>(std::abs(int{divisor}));
-  if (magnitude >> 16U >= divisor_magnitude) return k_overflow + (negative ? 2 : 0);
+  if (magnitude >> 16U >= divisor_magnitude) {
+    return k_overflow + (negative ? 2 : 0);
+  }
   const unsigned sign_cycles = divisor < 0 ? (negative ? 4 : 2) : (negative ? 6 : 0);
   const std::uint32_t quotient = magnitude / divisor_magnitude;
   const unsigned zeros = k_quotient_bits - 1 - ones(quotient & 0xfffeU);

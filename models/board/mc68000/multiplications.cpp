@@ -49,7 +49,9 @@ void store_quotient(ExecutionUnit& unit, unsigned number, bool fits, std::uint32
 template <Mode mode>
 void divide_unsigned(ExecutionUnit& unit, unsigned word) {
   const std::uint16_t divisor = read_operand<mode, k_word>(unit, word);
-  if (divisor == 0) throw Fault{StopReason::divide_by_zero};
+  if (divisor == 0) {
+    throw Fault{StopReason::divide_by_zero};
+  }
   const unsigned number = upper_register(word);
   const std::uint32_t dividend = unit.registers.data(number);
   const std::uint32_t quotient = dividend / divisor;
@@ -60,7 +62,9 @@ void divide_unsigned(ExecutionUnit& unit, unsigned word) {
 template <Mode mode>
 void divide_signed(ExecutionUnit& unit, unsigned word) {
   const auto divisor = static_cast<std::int16_t>(read_operand<mode, k_word>(unit, word));
-  if (divisor == 0) throw Fault{StopReason::divide_by_zero};
+  if (divisor == 0) {
+    throw Fault{StopReason::divide_by_zero};
+  }
   const unsigned number = upper_register(word);
   const auto dividend = static_cast<std::int32_t>(unit.registers.data(number));
   const std::int64_t quotient = std::int64_t{dividend} / divisor;

@@ -36,7 +36,9 @@ struct Registers {
     conditions.set_bits(status);
     interrupt_mask = static_cast<std::uint8_t>((status >> 8U) & 7U);
     const bool to_supervisor = (status & 0x2000U) != 0;
-    if (to_supervisor != supervisor) std::swap(stack(), other_stack);
+    if (to_supervisor != supervisor) {
+      std::swap(stack(), other_stack);
+    }
     supervisor = to_supervisor;
   }
 };

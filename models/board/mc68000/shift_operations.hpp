@@ -23,7 +23,9 @@ Operand<size> shifted_left(ConditionCodes& codes, Operand<size> operand, unsigne
   } else if constexpr (kind == ShiftKind::rotate_extended) {
     const unsigned turn = count % (bits + 1);
     result |= std::uint64_t{codes.extend} << bits;
-    if (turn != 0) result = result << turn | result >> (bits + 1 - turn);
+    if (turn != 0) {
+      result = result << turn | result >> (bits + 1 - turn);
+    }
     codes.extend = (result >> bits & 1U) != 0;
     codes.carry = codes.extend;
   } else if (count != 0) {
@@ -58,7 +60,9 @@ Operand<size> shifted_right(ConditionCodes& codes, Operand<size> operand, unsign
   } else if constexpr (kind == ShiftKind::rotate_extended) {
     const unsigned turn = count % (bits + 1);
     result |= std::uint64_t{codes.extend} << bits;
-    if (turn != 0) result = result >> turn | result << (bits + 1 - turn);
+    if (turn != 0) {
+      result = result >> turn | result << (bits + 1 - turn);
+    }
     codes.extend = (result >> bits & 1U) != 0;
     codes.carry = codes.extend;
   } else if (count != 0) {

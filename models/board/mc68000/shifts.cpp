@@ -13,7 +13,9 @@ constexpr unsigned k_left = 0x100;
 
 template <ShiftKind kind, bool left, OperandSize size>
 Operand<size> shifted(ConditionCodes& codes, Operand<size> operand, unsigned count) {
-  if constexpr (left) return shifted_left<kind, size>(codes, operand, count);
+  if constexpr (left) {
+    return shifted_left<kind, size>(codes, operand, count);
+  }
   return shifted_right<kind, size>(codes, operand, count);
 }
 

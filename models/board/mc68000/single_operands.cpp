@@ -96,7 +96,9 @@ void extend_to_long_word(ExecutionUnit& unit, unsigned word) {
 }
 
 constexpr InstructionCost single_cost(OperandSize size, Mode mode) {
-  if (mode == Mode::data_register) return {size == OperandSize::long_word ? 6U : 4U, 1};
+  if (mode == Mode::data_register) {
+    return {size == OperandSize::long_word ? 6U : 4U, 1};
+  }
   return k_one_word + operand_cost(mode, size) + store_cost(size);
 }
 

@@ -34,7 +34,9 @@ void to_operand(ExecutionUnit& unit, unsigned word) {
 }
 
 constexpr InstructionCost to_register_cost(OperandSize size, Mode mode) {
-  if (size != OperandSize::long_word) return k_one_word + operand_cost(mode, size);
+  if (size != OperandSize::long_word) {
+    return k_one_word + operand_cost(mode, size);
+  }
   const InstructionCost own{is_register_or_immediate(mode) ? 8U : 6U, 1};
   return own + operand_cost(mode, size);
 }
@@ -45,7 +47,9 @@ constexpr InstructionCost compare_cost(OperandSize size, Mode mode) {
 }
 
 constexpr InstructionCost to_operand_cost(OperandSize size, Mode mode) {
-  if (mode == Mode::data_register) return {size == OperandSize::long_word ? 8U : 4U, 1};
+  if (mode == Mode::data_register) {
+    return {size == OperandSize::long_word ? 8U : 4U, 1};
+  }
   return k_one_word + operand_cost(mode, size) + store_cost(size);
 }
 

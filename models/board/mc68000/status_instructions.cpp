@@ -13,7 +13,9 @@ constexpr OperandSize k_word = OperandSize::word;
 constexpr unsigned k_trace_bit = 0x8000;
 
 void set_status(ExecutionUnit& unit, unsigned status) {
-  if ((status & k_trace_bit) != 0) throw Fault{StopReason::trace};
+  if ((status & k_trace_bit) != 0) {
+    throw Fault{StopReason::trace};
+  }
   unit.registers.set_status(status);
 }
 

@@ -15,14 +15,18 @@ constexpr OperandSize k_word = OperandSize::word;
 }
 
 void trap_on_overflow(ExecutionUnit& unit, unsigned /*word*/) {
-  if (unit.registers.conditions.overflow) throw Fault{StopReason::overflow_trap};
+  if (unit.registers.conditions.overflow) {
+    throw Fault{StopReason::overflow_trap};
+  }
 }
 
 template <Mode mode>
 void check_bounds(ExecutionUnit& unit, unsigned word) {
   const auto bound = static_cast<std::int16_t>(read_operand<mode, k_word>(unit, word));
   const auto value = static_cast<std::int16_t>(unit.registers.data(upper_register(word)));
-  if (value < 0 || value > bound) throw Fault{StopReason::bounds_check};
+  if (value < 0 || value > bound) {
+    throw Fault{StopReason::bounds_check};
+  }
 }
 
 template <StopReason reason>
