@@ -8,21 +8,11 @@ namespace maquette::models {
 
 namespace {
 
-using mc68000::Account;
 using mc68000::BusRequest;
 using mc68000::OperandSize;
 
-constexpr std::int64_t k_milliclocks = 1'000;
-/// Of an access without wait states; off the board the bus tells how long it takes.
-constexpr std::int64_t k_access_clocks = 4;
 constexpr unsigned k_byte_bits = 8;
 constexpr unsigned char k_taken = 0x80;
-
-/// What a call costs is executed.
-Kvm02Parameters without_call_overhead(Kvm02Parameters parameters) {
-  parameters.call_overhead = {};
-  return parameters;
-}
 
 unsigned bytes_of(const BusRequest& request, unsigned word_bytes) {
   return request.size == OperandSize::byte ? word_bytes : mc68000::bytes_of(request.size);
@@ -59,9 +49,7 @@ void require_end(const mc68000::Stop& stop) {
 
 InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes,
                                            Processor& processor, Observer written)
-    : cost_(without_call_overhead(parameters)),
-      read_wait_(parameters.ram_read_wait_clocks),
-      write_wait_(parameters.ram_write_wait_clocks),
+    : time_(parameters),
       word_bytes_(word_bytes),
       processor_(processor),
       written_(std::move(written)) {
@@ -87,17 +75,7 @@ void InstructionProcessor::run(BoardProgram& program) {
 }
 
 void InstructionProcessor::spend(const ProgramEvent& event) {
-  const Account& account = event.account;
-  const auto count = [](std::uint64_t all, std::uint64_t others) {
-    return static_cast<std::int64_t>(all - others);
-  };
-  const std::uint64_t off_board = account.bus_fetches + account.bus_reads + account.bus_writes;
-  const std::int64_t clocks = count(account.cycles, k_access_clocks * off_board) +
-                              read_wait_ * (count(account.fetches, account.bus_fetches) +
-                                            count(account.reads, account.bus_reads)) +
-                              write_wait_ * count(account.writes, account.bus_writes);
-  work_milliclocks_ += cost_.milliclocks(event.work);
-  const Duration elapsed = cost_.elapsed(clocks * k_milliclocks + work_milliclocks_);
+  const Duration elapsed = time_.elapsed(event.account, event.work);
   processor_.compute(elapsed - spent_);
   spent_ = elapsed;
 }

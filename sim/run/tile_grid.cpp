@@ -1,0 +1,31 @@
+#include "sim/run/tile_grid.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace maquette::sim {
+
+std::size_t TileGrid::number_at(const models::PixelPosition& position) const {
+  const int column = (position.column - zone.column0) / k_tile_pixels;
+  const int row = (position.row - zone.row0) / k_tile_pixels;
+  return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns()) +
+         static_cast<std::size_t>(column);
+}
+
+models::PixelRectangle TileGrid::rectangle(std::size_t tile) const {
+  const auto per_row = static_cast<std::size_t>(columns());
+  const int column = static_cast<int>(tile % per_row) * k_tile_pixels;
+  const int row = static_cast<int>(tile / per_row) * k_tile_pixels;
+  return {zone.column0 + column, zone.row0 + row, std::min(k_tile_pixels, zone.width - column),
+          std::min(k_tile_pixels, zone.height - row)};
+}
+
+int TileGrid::step(int share) const {
+  int step = share;
+  while (step > 1 && std::gcd(step, columns()) > 1) {
+    ++step;
+  }
+  return step;
+}
+
+}  // namespace maquette::sim
