@@ -22,7 +22,7 @@ std::string percent_of(double share) { return fmt::format("{:.3g} %", 100 * shar
 /// Of the boards' processors, simulated in a second of the host.
 std::string rate_of(const LevelResult& level) {
   return level.simulated && level.host.median_s > 0
-             ? fmt::format("{:.3g}", level.simulated->processor_clocks / level.host.median_s / 1e6)
+             ? fmt::format("{:.0f}", level.simulated->processor_clocks / level.host.median_s / 1e6)
              : "";
 }
 
@@ -31,7 +31,7 @@ std::string line_of(const std::string& name, const LevelResult& level) {
   const std::optional<TimeError> wait =
       has_errors ? level.error.simulated->worst_wait : std::nullopt;
   const PictureError& picture = level.error.picture;
-  return fmt::format("  {:<20}{:>9.3f} s{:>8}  {:<3}{:>14}{:>12}{:>12}{:>12}{:>10.4g}{:>9}{:>9}\n",
+  return fmt::format("  {:<20}{:>9.3f} s{:>10}  {:<3}{:>14}{:>12}{:>12}{:>12}{:>10.4g}{:>9}{:>9}\n",
                      name, level.host.median_s, rate_of(level), fronts_of(level),
                      level.simulated ? readable_duration(level.simulated->frame) : "",
                      has_errors ? percent(level.error.simulated->frame.relative) : "",
@@ -60,7 +60,7 @@ std::string tile_lines_of(const LadderResult& result) {
 
 std::string accuracy_report(const std::vector<LadderResult>& results) {
   std::string text =
-      fmt::format("  {:<20}{:>11}{:>8}  {:<3}{:>14}{:>12}{:>12}{:>12}{:>10}{:>9}{:>9}\n", "level",
+      fmt::format("  {:<20}{:>11}{:>10}  {:<3}{:>14}{:>12}{:>12}{:>12}{:>10}{:>9}{:>9}\n", "level",
                   "host time", "MHz", "on", "frame time", "error", "wait err s", "wait error",
                   "levels", "largest", "pixels");
   for (const LadderResult& result : results) {

@@ -16,7 +16,7 @@ struct Level {
   std::string name;
   std::vector<std::string> overrides;  ///< `path=value`, after the user's own
   LevelKind kind = LevelKind::simulation;
-  int tile_share = 0;  ///< one in so many tiles is timed, and executed by `executed`; 0: none
+  int share = 0;  ///< one in so many pixels is timed, and executed by `executed`; 0: none
 };
 
 /// What counts as the error of a ladder's levels: the relative difference of the frame time, or the

@@ -20,7 +20,7 @@ std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
                                const LadderChoices& choices) {
   std::vector<Ladder> ladders = {bus_ladder(choices.quanta), number_ladder()};
   if (!obstacle_to_execution(machine)) {
-    ladders.insert(ladders.begin(), processor_ladder(choices.tile_share));
+    ladders.insert(ladders.begin(), processor_ladder(choices.share));
   }
   const bool has_secondary_rays = std::any_of(
       scene.surfaces.begin(), scene.surfaces.end(),

@@ -16,9 +16,9 @@ namespace maquette::sim {
 /// The bus exact, decoupled by each quantum (a time with its unit), and ideal.
 [[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
 
-/// The boards' program executed instruction by instruction, for one in `tile_share` tiles when that
+/// The boards' program executed instruction by instruction, for one in `share` pixels when that
 /// is more than 1; its work counted and priced; and the same replayed from a record.
-[[nodiscard]] Ladder processor_ladder(int tile_share);
+[[nodiscard]] Ladder processor_ladder(int share);
 
 /// The picture by the firmware over `float`, as the boards have it, and over `double`.
 [[nodiscard]] Ladder number_ladder();
@@ -36,7 +36,7 @@ namespace maquette::sim {
 /// What the ladders are made of besides the scene.
 struct LadderChoices {
   std::vector<std::string> quanta = default_quanta();  ///< of bus_ladder
-  int tile_share = 1;                                  ///< of processor_ladder
+  int share = 1;                                       ///< of processor_ladder
 };
 
 /// The ladders that a scene, on this machine, has something to vary for.

@@ -7,6 +7,7 @@
 #include "sim/report/seconds.hpp"
 #include "sim/run/frame_recorder.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/pixel_sample.hpp"
 #include "sim/run/simulation.hpp"
 
 namespace maquette::sim {
@@ -67,9 +68,10 @@ LevelOutcome executed(const LevelTask& task) {
   return timed([&] { return simulated(task, request); });
 }
 
-// Assumption: the boards' times are to the counted ones as those of the sample.
+// Assumption: the frame's time is to the counted one as the time of the sample, and the host's is
+// that of the sample times the share.
 LevelOutcome executed_in_part(const LevelTask& task) {
-  const int share = task.level.tile_share;
+  const int share = task.level.share;
   LevelOutcome counted = simulated(task, {});
   LevelOutcome outcome = timed([&] {
     LevelOutcome sample;
@@ -77,16 +79,14 @@ LevelOutcome executed_in_part(const LevelTask& task) {
     sample.tiles = executed_tile_times(task.scene, task.machine, share, sample.picture);
     return sample;
   });
+  const models::PixelRectangle& zone = outcome.tiles->grid.zone;
+  outcome.host_time_s *= pixel_sample(task.machine, zone, share).step;
   const TileTimes counted_tiles = counted_tile_times(task.scene, task.machine, share);
+  const double ratio =
+      zone.pixels() > 0 ? in_seconds(outcome.tiles->sum()) / in_seconds(counted_tiles.sum()) : 1;
+  const auto frame = static_cast<double>(counted.simulated->frame.count());
   outcome.simulated.emplace();
-  set_frame(task.machine, counted.simulated->frame, *outcome.simulated);
-  if (counted_tiles.pixels() > 0) {
-    const double ratio = in_seconds(outcome.tiles->sum()) / in_seconds(counted_tiles.sum());
-    const double frame = static_cast<double>(counted.simulated->frame.count()) * ratio;
-    set_frame(task.machine, models::Duration(std::llround(frame)), *outcome.simulated);
-    outcome.host_time_s *= static_cast<double>(counted_tiles.grid.zone.pixels()) /
-                           static_cast<double>(counted_tiles.pixels());
-  }
+  set_frame(task.machine, models::Duration(std::llround(frame * ratio)), *outcome.simulated);
   return outcome;
 }
 
@@ -99,7 +99,7 @@ LevelOutcome outcome_of(const LevelTask& task) {
     case LevelKind::recorded:
       return replayed(task);
     case LevelKind::executed:
-      return task.level.tile_share > 1 ? executed_in_part(task) : executed(task);
+      return task.level.share > 1 ? executed_in_part(task) : executed(task);
     case LevelKind::simulation:
       break;
   }
@@ -107,7 +107,7 @@ LevelOutcome outcome_of(const LevelTask& task) {
 }
 
 TileTimes tile_times(const LevelTask& task, models::Picture& picture) {
-  const int share = task.level.tile_share;
+  const int share = task.level.share;
   return task.level.kind == LevelKind::executed
              ? executed_tile_times(task.scene, task.machine, share, picture)
              : counted_tile_times(task.scene, task.machine, share);
@@ -117,7 +117,7 @@ TileTimes tile_times(const LevelTask& task, models::Picture& picture) {
 
 std::optional<LevelOutcome> computed_level(const LevelTask& task, bool with_tiles) {
   LevelOutcome outcome = outcome_of(task);
-  if (with_tiles && task.level.tile_share > 0 && !outcome.tiles && !Interruption::is_requested()) {
+  if (with_tiles && task.level.share > 0 && !outcome.tiles && !Interruption::is_requested()) {
     outcome.tiles = tile_times(task, outcome.picture);
   }
   return Interruption::is_requested() ? std::nullopt : std::optional(std::move(outcome));

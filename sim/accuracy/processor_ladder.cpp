@@ -4,23 +4,23 @@
 
 namespace maquette::sim {
 
-Ladder processor_ladder(int tile_share) {
-  const bool is_sampled = tile_share > 1;
+Ladder processor_ladder(int share) {
+  const bool is_sampled = share > 1;
   std::string executed = "instruction";
   std::string varies = "how the boards' pixels and their time are computed (run --processor)";
   if (is_sampled) {
-    executed += fmt::format(", 1 in {}", tile_share);
+    executed += fmt::format(" 1/{}", share);
     varies += fmt::format(
-        "; of the instructions those of one in {} tiles are executed, frame time and host time are "
-        "extrapolated from these, and waiting is not known",
-        tile_share);
+        "; one in {} pixels is executed, frame time and host time are "
+        "extrapolated from it, and waiting is not known",
+        share);
   }
   return {"processor",
           varies,
           ErrorMeasure::frame_time,
-          {{executed, {}, LevelKind::executed, tile_share},
-           {"counted", {}, LevelKind::simulation, tile_share},
-           {"recorded", {}, LevelKind::recorded, tile_share}},
+          {{executed, {}, LevelKind::executed, share},
+           {"counted", {}, LevelKind::simulation, share},
+           {"recorded", {}, LevelKind::recorded}},
           0};
 }
 

@@ -8,6 +8,7 @@
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/executed_pixels.hpp"
 #include "sim/run/interruption.hpp"
+#include "sim/run/pixel_sample.hpp"
 
 namespace maquette::sim {
 
@@ -36,28 +37,16 @@ models::Duration TileTimes::sum() const {
   return std::accumulate(times.begin(), times.end(), models::Duration::zero());
 }
 
-std::int64_t TileTimes::pixels() const {
-  std::int64_t sum = 0;
-  for (std::size_t tile = 0; tile < times.size(); ++tile) {
-    sum += times[tile] > models::Duration::zero() ? grid.rectangle(tile).pixels() : 0;
-  }
-  return sum;
-}
-
 TileTimes counted_tile_times(const Scene& scene, const Machine& machine, int share) {
   const CountedScene counted = prepared(scene, machine);
   SynthesisArea<firmware::Counted> area(counted.frame().database);
   const models::WorkCost cost(machine.parameters.board);
   TileTimes tiles = without_times(counted);
-  const auto step = static_cast<std::size_t>(tiles.grid.step(share));
-  for (std::size_t tile = 0; tile < tiles.times.size(); tile += step) {
-    const models::PixelRectangle pixels = tiles.grid.rectangle(tile);
-    for (int row = pixels.row0; row < pixels.row0 + pixels.height; ++row) {
-      for (int column = pixels.column0; column < pixels.column0 + pixels.width; ++column) {
-        tiles.times[tile] +=
-            cost.duration(counted_pixel(counted.frame(), area.view(), {column, row}).work);
-      }
-    }
+  const models::PixelRectangle& zone = tiles.grid.zone;
+  for (const models::PixelPosition& position :
+       pixels_of(pixel_sample(machine, zone, share), zone)) {
+    tiles.times[tiles.grid.number_at(position)] +=
+        cost.duration(counted_pixel(counted.frame(), area.view(), position).work);
   }
   return tiles;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "models/bus/duration.hpp"
@@ -11,20 +10,17 @@
 
 namespace maquette::sim {
 
-/// How long a board computes on the pixels of each tile of the useful zone, without preprocessing
-/// and without the bus.
+/// How long a board computes on the pixels of each tile of the useful zone, or on those of a
+/// sample, without preprocessing and without the bus.
 struct TileTimes {
   TileGrid grid;
-  std::vector<models::Duration> times;  ///< by tile; zero for one that was left out
+  std::vector<models::Duration> times;  ///< by tile; zero for one without pixels of the sample
 
   [[nodiscard]] models::Duration sum() const;
-
-  /// Of the tiles that were not left out.
-  [[nodiscard]] std::int64_t pixels() const;
 };
 
-/// The tiles of a sample of about one in `share`, as TileGrid::step has it, by the work that the
-/// native firmware counts.
+/// The times of a sample of one in about `share` pixels (pixel_sample), by the work that the native
+/// firmware counts.
 [[nodiscard]] TileTimes counted_tile_times(const Scene& scene, const Machine& machine, int share);
 
 /// The same by the board's program, executed (execute_pixels), which writes its pixels into

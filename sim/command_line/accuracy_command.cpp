@@ -55,8 +55,9 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
   verb.add_option("--repeats", options.repeats, "how often each level is run for its host time")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  verb.add_option("--sample", options.sample,
-                  "execute the instructions of one in N tiles of 16 x 16 pixels and extrapolate")
+  verb.add_option(
+          "--sample", options.sample,
+          "execute the instructions of about one in N pixels and extrapolate; 1: the whole frame")
       ->type_name("N")
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();

@@ -8,7 +8,7 @@
 #include "sim/run/board_start.hpp"
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/execution_check.hpp"
-#include "sim/run/tile_grid.hpp"
+#include "sim/run/pixel_sample.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -19,13 +19,13 @@ using models::BoardProgram;
 using models::ProgramEvent;
 using models::mc68000::BusRequest;
 
-firmware::BoardOrder tile_order(const Machine& machine, int step) {
-  firmware::BoardOrder order = board_order(machine, {});
-  order.unit_step = static_cast<std::uint32_t>(step);
-  order.bands = 0;
-  order.unit_width = TileGrid::k_tile_pixels;
-  order.unit_height = TileGrid::k_tile_pixels;
-  order.lock = 0;
+firmware::BoardOrder sample_order(Machine machine, const models::PixelRectangle& zone, int share) {
+  const PixelSample sample = pixel_sample(machine, zone, share);
+  machine.parameters.allotment = sample.allotment;
+  models::FrameSetup setup;
+  setup.useful_zone = zone;
+  firmware::BoardOrder order = board_order(machine, setup);
+  order.unit_step = static_cast<std::uint32_t>(sample.step);
   return order;
 }
 
@@ -98,8 +98,7 @@ void execute_pixels(const Scene& scene, const Machine& machine, int share, const
   }
   const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
   SynthesisArea<float> area(prepared.frame().database);
-  const TileGrid tiles{useful_zone_of(prepared.frame())};
-  const firmware::BoardOrder order = tile_order(machine, tiles.step(share));
+  const firmware::BoardOrder order = sample_order(machine, useful_zone_of(prepared.frame()), share);
   BoardImage image = board_image(prepared.frame(), area.view(), order, roomy(machine, order));
   PixelFollower follower(machine, order, take);
   models::ProgramSlots slots(1);

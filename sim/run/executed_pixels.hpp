@@ -20,10 +20,9 @@ struct ExecutedPixel {
 /// Called with each pixel; false ends the execution.
 using PixelTaker = std::function<bool(const ExecutedPixel& pixel)>;
 
-/// Executes the program of a machine's boards on one of them alone, without a bus, for one in about
-/// `share` of the tiles of the useful zone, as TileGrid::step has it: tile by tile, each row by
-/// row, each pixel written by itself. Throws DescriptionError when boards can not execute it, and
-/// std::logic_error when it goes wrong.
+/// Executes the program of a machine's boards on one of them alone, without a bus, for a sample of
+/// one in about `share` of the pixels (pixel_sample), each written by itself. Throws
+/// DescriptionError when boards can not execute it, and std::logic_error when it goes wrong.
 void execute_pixels(const Scene& scene, const Machine& machine, int share, const PixelTaker& take);
 
 }  // namespace maquette::sim

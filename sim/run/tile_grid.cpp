@@ -1,7 +1,6 @@
 #include "sim/run/tile_grid.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace maquette::sim {
 
@@ -18,14 +17,6 @@ models::PixelRectangle TileGrid::rectangle(std::size_t tile) const {
   const int row = static_cast<int>(tile / per_row) * k_tile_pixels;
   return {zone.column0 + column, zone.row0 + row, std::min(k_tile_pixels, zone.width - column),
           std::min(k_tile_pixels, zone.height - row)};
-}
-
-int TileGrid::step(int share) const {
-  int step = share;
-  while (step > 1 && std::gcd(step, columns()) > 1) {
-    ++step;
-  }
-  return step;
 }
 
 }  // namespace maquette::sim

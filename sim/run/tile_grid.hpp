@@ -24,11 +24,6 @@ struct TileGrid {
 
   /// The pixels of a tile.
   [[nodiscard]] models::PixelRectangle rectangle(std::size_t tile) const;
-
-  /// From a tile to the next one of a sample of about one in `share`: the first number from `share`
-  /// on that has no divisor in common with the tiles of a row, so that a sample is spread over the
-  /// columns like over the rows. `share` is at least 1.
-  [[nodiscard]] int step(int share) const;
 };
 
 }  // namespace maquette::sim
