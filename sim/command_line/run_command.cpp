@@ -51,8 +51,10 @@ void add_options(CLI::App& verb, RunOptions& options) {
   add_common_options(verb, options.common);
   verb.add_option("--outdir", options.outdir, "run directory (default: runs/NAME-OF-SCENE)")
       ->type_name("DIR");
-  verb.add_option("--processor", options.processor,
-                  "where pixels come from: synthesised and counted, or a recorded frame replayed")
+  verb.add_option(
+          "--processor", options.processor,
+          "what the boards do: their work counted, a recorded frame's work replayed, or their "
+          "program executed instruction by instruction")
       ->check(CLI::IsMember({"counted", "recorded", "instruction"}))
       ->capture_default_str();
   verb.add_option("--record", options.record,
@@ -214,7 +216,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   trace_files.write(result.trace);
   write_files(directory, files);
   if (!options.quiet) {
-    fmt::print("{}\n{}\n", summarise(result.statistics, result.clocks, host_time_s()),
+    fmt::print("{}\n{}\n",
+               summarise(result.statistics, result.clocks, result.times_from, host_time_s()),
                fmt::format("written: {}", directory.string()));
   }
   return result.statistics.partial ? k_exit_interrupted : 0;

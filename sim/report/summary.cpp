@@ -107,13 +107,13 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
 
   const double all_clocks = std::accumulate(clocks.begin(), clocks.end(), 0.0);
   double listed_clocks = 0;
-  std::string text = fmt::format("\n{:<18}{:>14}{:>16}\n", "work", "number", "of the clocks");
+  std::string text = fmt::format("\n{:<18}{:>14}{:>20}\n", "work", "number", "of counted clocks");
   for (const auto operation : order) {
     listed_clocks += clocks[operation];
-    text += fmt::format("{:<18}{:>14}{:>15.2f}%\n", firmware::k_operation_names[operation],
+    text += fmt::format("{:<18}{:>14}{:>19.2f}%\n", firmware::k_operation_names[operation],
                         work[operation], 100 * ratio(clocks[operation], all_clocks));
   }
-  text += fmt::format("{:<18}{:>14}{:>15.2f}%\n", "others", "",
+  text += fmt::format("{:<18}{:>14}{:>19.2f}%\n", "others", "",
                       100 * ratio(all_clocks - listed_clocks, all_clocks));
   return text;
 }
@@ -121,9 +121,10 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
 }  // namespace
 
 std::string summarise(const Statistics& statistics, const OperationClocks& clocks,
-                      double host_time_s) {
-  return frame_lines(statistics) + board_lines(statistics) + bus_lines(statistics.bus) +
-         ray_lines(statistics) + work_lines(statistics.work, clocks) +
+                      const std::string& times_from, double host_time_s) {
+  return frame_lines(statistics) + fmt::format("times           from {}\n", times_from) +
+         board_lines(statistics) + bus_lines(statistics.bus) + ray_lines(statistics) +
+         work_lines(statistics.work, clocks) +
          fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
                      host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));
 }

@@ -115,6 +115,17 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
   return roomy;
 }
 
+std::string times_from(const Machine& machine, bool executed) {
+  if (!executed) {
+    return "the firmware's counted work, at the prices of " + machine.arithmetic_name;
+  }
+  const bool whole =
+      machine.parameters.board.arithmetic.execution == models::ArithmeticExecution::package;
+  return whole ? "the boards' program, executed instruction by instruction"
+               : "the boards' program, executed but for its arithmetic, which costs what " +
+                     machine.arithmetic_name + " says";
+}
+
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    models::PixelSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
@@ -134,6 +145,7 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
   result.clocks = clocks_of(result.statistics, machine.parameters.board);
+  result.times_from = times_from(machine, setup.program.has_value());
   if (request.picture) {
     result.picture = model.frame_memory().picture();
     result.depths = depths_of(model.frame_memory(), picture_format_of(machine));

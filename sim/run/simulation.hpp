@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "models/display/picture.hpp"
@@ -31,7 +32,8 @@ using Continue = std::function<bool(models::Duration simulated, double fraction)
 /// What a simulation gives.
 struct SimulationResult {
   Statistics statistics;
-  OperationClocks clocks{};               ///< that the boards spent per operation class
+  OperationClocks clocks{};               ///< per operation class, as counted
+  std::string times_from;                 ///< what the boards' times are told from
   models::Picture picture;                ///< the frame memory at the end, when it was asked for
   std::optional<models::Picture> depths;  ///< top eight bits as greys, of a display with depths
   std::vector<models::Picture> snapshots;
