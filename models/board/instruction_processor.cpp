@@ -4,8 +4,6 @@
 #include <sstream>
 #include <systemc>
 
-#include "models/board/program_cost.hpp"
-
 namespace maquette::models {
 
 namespace {
@@ -15,12 +13,6 @@ using mc68000::OperandSize;
 
 constexpr unsigned k_byte_bits = 8;
 constexpr unsigned char k_taken = 0x80;
-
-/// What a call costs is executed.
-Kvm02Parameters without_call_overhead(Kvm02Parameters parameters) {
-  parameters.call_overhead = {};
-  return parameters;
-}
 
 unsigned bytes_of(const BusRequest& request, unsigned word_bytes) {
   return request.size == OperandSize::byte ? word_bytes : mc68000::bytes_of(request.size);
@@ -57,8 +49,7 @@ void require_end(const mc68000::Stop& stop) {
 
 InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes,
                                            Processor& processor, Observer written)
-    : parameters_(without_call_overhead(parameters)),
-      cost_(parameters_),
+    : time_(parameters),
       word_bytes_(word_bytes),
       processor_(processor),
       written_(std::move(written)) {
@@ -84,9 +75,7 @@ void InstructionProcessor::run(BoardProgram& program) {
 }
 
 void InstructionProcessor::spend(const ProgramEvent& event) {
-  work_milliclocks_ += cost_.milliclocks(event.work);
-  const Duration elapsed =
-      cost_.elapsed(program_milliclocks(event.account, parameters_) + work_milliclocks_);
+  const Duration elapsed = time_.elapsed(event.account, event.work);
   processor_.compute(elapsed - spent_);
   spent_ = elapsed;
 }

@@ -5,6 +5,7 @@
 
 #include "models/board/board_program.hpp"
 #include "models/board/processor.hpp"
+#include "models/board/program_time.hpp"
 #include "models/bus/bus_burst.hpp"
 
 namespace maquette::models {
@@ -19,7 +20,7 @@ class InstructionProcessor {
   /// Called with each word or byte that the program has written off the board.
   using Observer = std::function<void(std::uint64_t address, std::uint32_t value)>;
 
-  /// `processor` is kept by reference. Throws as WorkCost.
+  /// `processor` is kept by reference. Throws as ProgramTime.
   InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes, Processor& processor,
                        Observer written);
 
@@ -39,12 +40,10 @@ class InstructionProcessor {
   std::uint32_t read(const mc68000::BusRequest& request);
   std::uint32_t test_and_set(const mc68000::BusRequest& request);
 
-  Kvm02Parameters parameters_;
-  WorkCost cost_;
+  ProgramTime time_;
   unsigned word_bytes_;
   Processor& processor_;
   Observer written_;
-  std::int64_t work_milliclocks_ = 0;
   Duration spent_{};
   Duration preprocessing_{};
   BusBurst read_{tlm::TLM_READ_COMMAND};

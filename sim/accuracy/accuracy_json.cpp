@@ -31,7 +31,7 @@ Json object_of(const Table& table, std::size_t row) {
 Json boards_of(const LevelResult& level) {
   Json boards = Json::array();
   if (level.simulated && level.error.simulated) {
-    for (std::size_t i = 0; i < level.simulated->waits.size(); ++i) {
+    for (std::size_t i = 0; i < level.error.simulated->waits.size(); ++i) {
       const TimeError& error = level.error.simulated->waits[i];
       boards.push_back({{"wait_s", in_seconds(level.simulated->waits[i])},
                         {"wait_error_s", in_seconds(error.absolute)},

@@ -116,6 +116,18 @@ std::vector<Mark> marks_over_host_time(const LadderResult& result, double floor)
   return marks;
 }
 
+/// Levels whose host times are far apart would hide one another on a linear axis.
+const char* host_axis_of(const LadderResult& result) {
+  constexpr double k_far = 10;
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0;
+  for (const LevelResult& level : result.levels) {
+    least = std::min(least, level.host.least_s);
+    most = std::max(most, level.host.most_s);
+  }
+  return least > 0 && most > k_far * least ? "set logscale x\n" : "";
+}
+
 std::vector<Mark> marks_over_simulated_time(const LadderResult& result, double floor) {
   std::vector<Mark> marks = marks_over_host_time(result, floor);
   for (std::size_t i = 0; i < marks.size(); ++i) {
@@ -141,7 +153,8 @@ std::vector<AccuracyPlot> accuracy_plots(const std::vector<LadderResult>& result
     plots.push_back({over_host, script_of(over_host,
                                           settings_of(result, floor,
                                                       "processor time on the host [s]: median, "
-                                                      "least and most"),
+                                                      "least and most") +
+                                              host_axis_of(result),
                                           marks_over_host_time(result, floor))});
     if (is_simulated(result)) {
       const std::string over_simulated = result.ladder.name + "-over-simulated-time";

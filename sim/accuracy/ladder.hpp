@@ -6,15 +6,17 @@
 
 namespace maquette::sim {
 
-/// How a level computes the scene: a whole simulation, or the picture alone by the firmware over a
-/// number type.
-enum class LevelKind { simulation, float_picture, double_picture };
+/// How a level computes the scene: a whole simulation, with pixels that the native firmware counts
+/// (at the machine's prices, or at calibrated ones), with recorded ones, or with boards that
+/// execute their program; or the picture alone by the firmware over a number type.
+enum class LevelKind { simulation, calibrated, recorded, executed, float_picture, double_picture };
 
 /// One way of computing a scene.
 struct Level {
   std::string name;
   std::vector<std::string> overrides;  ///< `path=value`, after the user's own
   LevelKind kind = LevelKind::simulation;
+  int share = 0;  ///< one in so many pixels is timed, and executed by `executed`; 0: none
 };
 
 /// What counts as the error of a ladder's levels: the relative difference of the frame time, or the

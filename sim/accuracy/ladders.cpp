@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/run/execution_check.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -14,8 +16,12 @@ bool has_roots(const Object& object) {
 
 }  // namespace
 
-std::vector<Ladder> ladders_of(const Scene& scene, const std::vector<std::string>& quanta) {
-  std::vector<Ladder> ladders = {bus_ladder(quanta), number_ladder()};
+std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
+                               const LadderChoices& choices) {
+  std::vector<Ladder> ladders = {bus_ladder(choices.quanta), number_ladder()};
+  if (!obstacle_to_execution(machine)) {
+    ladders.insert(ladders.begin(), processor_ladder(choices.share));
+  }
   const bool has_secondary_rays = std::any_of(
       scene.surfaces.begin(), scene.surfaces.end(),
       [](const Surface& surface) { return surface.specular > 0 || surface.transparent; });
@@ -30,8 +36,8 @@ std::vector<Ladder> ladders_of(const Scene& scene, const std::vector<std::string
 }
 
 std::vector<std::string> ladder_names() {
-  return {bus_ladder({}).name, number_ladder().name, depth_ladder({}).name, weight_ladder({}).name,
-          roots_ladder().name};
+  return {processor_ladder(1).name, bus_ladder({}).name,    number_ladder().name,
+          depth_ladder({}).name,    weight_ladder({}).name, roots_ladder().name};
 }
 
 }  // namespace maquette::sim

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/accuracy/ladder.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
@@ -14,6 +15,10 @@ namespace maquette::sim {
 
 /// The bus exact, decoupled by each quantum (a time with its unit), and ideal.
 [[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
+
+/// The boards' program executed instruction by instruction, for one in `share` pixels when that
+/// is more than 1; its work counted and priced; and the same replayed from a record.
+[[nodiscard]] Ladder processor_ladder(int share);
 
 /// The picture by the firmware over `float`, as the boards have it, and over `double`.
 [[nodiscard]] Ladder number_ladder();
@@ -28,9 +33,15 @@ namespace maquette::sim {
 /// numbers.
 [[nodiscard]] Ladder roots_ladder();
 
-/// The ladders that a scene has something to vary for.
-[[nodiscard]] std::vector<Ladder> ladders_of(const Scene& scene,
-                                             const std::vector<std::string>& quanta);
+/// What the ladders are made of besides the scene.
+struct LadderChoices {
+  std::vector<std::string> quanta = default_quanta();  ///< of bus_ladder
+  int share = 1;                                       ///< of processor_ladder
+};
+
+/// The ladders that a scene, on this machine, has something to vary for.
+[[nodiscard]] std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
+                                             const LadderChoices& choices);
 
 /// The names of all ladders that there are.
 [[nodiscard]] std::vector<std::string> ladder_names();

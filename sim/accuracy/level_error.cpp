@@ -21,11 +21,12 @@ TimeError time_error(models::Duration time, models::Duration reference) {
 SimulatedError simulated_error(const SimulatedTimes& times, const SimulatedTimes& reference) {
   SimulatedError error;
   error.frame = time_error(times.frame, reference.frame);
-  for (std::size_t board = 0; board < times.waits.size(); ++board) {
+  const bool knows_waits = times.waits.size() == reference.waits.size();
+  for (std::size_t board = 0; knows_waits && board < times.waits.size(); ++board) {
     error.waits.push_back(time_error(times.waits[board], reference.waits[board]));
     const TimeError& wait = error.waits.back();
-    if (std::abs(wait.absolute.count()) > std::abs(error.worst_wait.absolute.count()) ||
-        board == 0) {
+    if (!error.worst_wait ||
+        std::abs(wait.absolute.count()) > std::abs(error.worst_wait->absolute.count())) {
       error.worst_wait = wait;
     }
   }
@@ -45,6 +46,9 @@ LevelError error_of(const LevelOutcome& outcome, const LevelOutcome& reference) 
   LevelError error;
   if (outcome.simulated && reference.simulated) {
     error.simulated = simulated_error(*outcome.simulated, *reference.simulated);
+  }
+  if (outcome.tiles && reference.tiles) {
+    error.tiles = tile_error(*outcome.tiles, *reference.tiles);
   }
   error.picture = picture_error(outcome.picture, reference.picture);
   return error;

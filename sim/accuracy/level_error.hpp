@@ -7,6 +7,7 @@
 #include "models/bus/duration.hpp"
 #include "sim/accuracy/ladder.hpp"
 #include "sim/accuracy/level_outcome.hpp"
+#include "sim/accuracy/tile_error.hpp"
 
 namespace maquette::sim {
 
@@ -19,8 +20,8 @@ struct TimeError {
 /// How far the simulated times of a level are from those of its reference.
 struct SimulatedError {
   TimeError frame;
-  std::vector<TimeError> waits;  ///< by board
-  TimeError worst_wait;          ///< of the board where it is largest
+  std::vector<TimeError> waits;         ///< by board, where both levels know them
+  std::optional<TimeError> worst_wait;  ///< of the board where it is largest
 };
 
 /// How far the picture of a level is from its reference's; channels have levels 0 to 255.
@@ -33,6 +34,7 @@ struct PictureError {
 struct LevelError {
   std::optional<SimulatedError> simulated;  ///< where both levels simulate
   PictureError picture;
+  std::optional<TileError> tiles;  ///< where both levels time them
 };
 
 /// The errors of an outcome, for a reference with as many boards and pixels.

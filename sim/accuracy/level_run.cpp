@@ -4,16 +4,13 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
+#include "sim/accuracy/level_computation.hpp"
 #include "sim/accuracy/outcome_bytes.hpp"
-#include "sim/database/frame_synthesis.hpp"
 #include "sim/run/forked_jobs.hpp"
-#include "sim/run/interruption.hpp"
-#include "sim/run/simulation.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -56,56 +53,15 @@ std::string handed_over(std::FILE* file) {
   return bytes;
 }
 
-template <class Real>
-models::Picture picture_of(const LevelTask& task) {
-  const PreparedScene<Real> scene(packed_scene<Real>(task.scene, picture_format_of(task.machine)));
-  return synthesized_frame(scene).picture;
-}
-
-/// Nothing when the run was interrupted.
-std::optional<LevelOutcome> simulated(const LevelTask& task) {
-  const SimulationResult result =
-      simulate(task.scene, task.machine, {},
-               [](models::Duration, double) { return !Interruption::is_requested(); });
-  if (result.statistics.partial) {
-    return std::nullopt;
-  }
-  LevelOutcome outcome;
-  outcome.picture = result.picture;
-  outcome.simulated = SimulatedTimes{result.statistics.frame.time, {}};
-  for (const BoardStatistics& board : result.statistics.boards) {
-    outcome.simulated->waits.push_back(board.wait_grant);
-  }
-  return outcome;
-}
-
-std::optional<LevelOutcome> computed(const LevelTask& task) {
-  switch (task.kind) {
-    case LevelKind::float_picture:
-      return LevelOutcome{std::nullopt, picture_of<float>(task), 0};
-    case LevelKind::double_picture:
-      return LevelOutcome{std::nullopt, picture_of<double>(task), 0};
-    case LevelKind::simulation:
-      break;
-  }
-  return simulated(task);
-}
-
-double processor_time_s() {
-  return static_cast<double>(std::clock()) / static_cast<double>(CLOCKS_PER_SEC);
-}
-
 /// The whole life of a level's process.
-int run_level(const LevelTask& task, std::FILE* file) {
+int run_level(const LevelTask& task, bool with_tiles, std::FILE* file) {
   int exit_code = k_failed;
   std::string bytes;
   try {
-    const double start = processor_time_s();
-    std::optional<LevelOutcome> outcome = computed(task);
+    const std::optional<LevelOutcome> outcome = computed_level(task, with_tiles);
     if (!outcome) {
       return k_job_interrupted;
     }
-    outcome->host_time_s = processor_time_s() - start;
     bytes = encode_outcome(*outcome);
     exit_code = 0;
   } catch (const DescriptionError& error) {
@@ -144,7 +100,9 @@ std::vector<std::vector<LevelOutcome>> run_levels(const std::vector<LevelTask>& 
   const HandOver file = make_hand_over();
   ForkedJobs jobs;
   jobs.count = tasks.size() * static_cast<std::size_t>(repeats);
-  jobs.run = [&](std::size_t job) { return run_level(tasks[job % tasks.size()], file.get()); };
+  jobs.run = [&](std::size_t job) {
+    return run_level(tasks[job % tasks.size()], job < tasks.size(), file.get());
+  };
   jobs.ended = [&](std::size_t job, const JobEnd& end) {
     const std::size_t task = job % tasks.size();
     outcomes[task].push_back(outcome_of(tasks[task], end, file.get()));

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "sim/accuracy/accuracy_json.hpp"
 #include "sim/accuracy/accuracy_plot.hpp"
@@ -13,10 +14,13 @@
 #include "sim/accuracy/accuracy_tables.hpp"
 #include "sim/accuracy/ladders.hpp"
 #include "sim/accuracy/level_run.hpp"
+#include "sim/accuracy/tile_map.hpp"
 #include "sim/command_line/common_options.hpp"
 #include "sim/plot/gnuplot.hpp"
+#include "sim/report/image_file.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/run_directory.hpp"
+#include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/simulation.hpp"
 
@@ -30,6 +34,7 @@ struct AccuracyOptions {
   std::vector<std::string> ladders;
   std::vector<std::string> quanta = default_quanta();
   int repeats = 3;
+  int sample = 1;
   bool quiet = false;
 };
 
@@ -50,17 +55,26 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
   verb.add_option("--repeats", options.repeats, "how often each level is run for its host time")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  verb.add_option(
+          "--sample", options.sample,
+          "execute the instructions of about one in N pixels and extrapolate; 1: the whole frame")
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
   verb.add_flag("--quiet", options.quiet, "neither progress nor table");
   add_footer(
       verb,
       "accuracy.csv and accuracy.json hold what the input determines. Processor times of the host, "
       "which no\ntwo runs share, are in host_times.csv, host_times.json, manifest.json and the "
-      "plots over host time alone.",
+      "plots over host time alone.\ntile_error.png is the screen by tiles: white where the counted "
+      "time is that of the instructions, red where\nit is longer, blue where shorter, full colour "
+      "for tile_error_worst of accuracy.csv, light grey where not executed.",
       {"maquette accuracy photo4 --ladder bus"});
 }
 
-std::vector<Ladder> wanted_ladders(const AccuracyOptions& options, const Scene& scene) {
-  std::vector<Ladder> ladders = ladders_of(scene, options.quanta);
+std::vector<Ladder> wanted_ladders(const AccuracyOptions& options, const Description& description) {
+  std::vector<Ladder> ladders =
+      ladders_of(description.scene, description.machine, {options.quanta, options.sample});
   if (!options.ladders.empty()) {
     ladders.erase(std::remove_if(ladders.begin(), ladders.end(),
                                  [&options](const Ladder& ladder) {
@@ -70,6 +84,20 @@ std::vector<Ladder> wanted_ladders(const AccuracyOptions& options, const Scene& 
                   ladders.end());
   }
   return ladders;
+}
+
+/// Tells why a ladder is missing that was asked for, by its name or with all others.
+void explain_missing(const AccuracyOptions& options, const Machine& machine) {
+  const std::string name = processor_ladder(options.sample).name;
+  const std::vector<std::string>& wanted = options.ladders;
+  const bool is_wanted =
+      wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  const std::optional<std::string> obstacle = obstacle_to_execution(machine);
+  if (is_wanted && obstacle) {
+    fmt::print(stderr,
+               "the ladder {} is left out, since boards can not execute their program: {}\n", name,
+               *obstacle);
+  }
 }
 
 /// The levels of all ladders, one after another, each checked.
@@ -82,7 +110,7 @@ std::vector<LevelTask> tasks_of(const std::vector<Ladder>& ladders,
       own.overrides.insert(own.overrides.end(), level.overrides.begin(), level.overrides.end());
       Description description = load_description(own);
       check_fit(description.scene, description.machine);
-      tasks.push_back({ladder.name + ", " + level.name, level.kind, std::move(description.scene),
+      tasks.push_back({ladder.name + ", " + level.name, level, std::move(description.scene),
                        std::move(description.machine)});
     }
   }
@@ -101,17 +129,32 @@ std::vector<LadderResult> results_of(const std::vector<Ladder>& ladders,
   return results;
 }
 
+/// All but the manifest.
+std::vector<NamedContent> files_of(const std::vector<LadderResult>& results,
+                                   const Description& description) {
+  std::vector<NamedContent> files = {{"accuracy.csv", table_csv(error_table(results))},
+                                     {"accuracy.json", error_json(description.scene.name, results)},
+                                     {"host_times.csv", table_csv(host_time_table(results))},
+                                     {"host_times.json", host_time_json(results)}};
+  if (const std::optional<TileError> error = mapped_error(results)) {
+    const models::FrameMemoryParameters& frame = description.machine.parameters.frame_memory;
+    files.push_back({"tile_error.png", encode_png(tile_map(*error, frame.width, frame.height))});
+  }
+  return files;
+}
+
 int accuracy(const AccuracyOptions& options, const std::vector<std::string>& command) {
   const auto start = std::chrono::steady_clock::now();
   const DescriptionSources sources = sources_of(options.common);
   const Description description = load_description(sources);
-  const std::vector<Ladder> ladders = wanted_ladders(options, description.scene);
+  const std::vector<Ladder> ladders = wanted_ladders(options, description);
   const std::vector<LevelTask> tasks = tasks_of(ladders, sources);
   const std::filesystem::path directory =
       options.outdir.empty()
           ? std::filesystem::path("runs") / (description.scene.name + "-accuracy")
           : std::filesystem::path(options.outdir);
   create_run_directory(directory);
+  explain_missing(options, description.machine);
 
   const Interruption interruption;
   std::vector<std::vector<LevelOutcome>> outcomes;
@@ -128,12 +171,9 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
 
   const std::vector<LadderResult> results = results_of(ladders, outcomes);
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
+  write_files(directory, files_of(results, description));
   write_files(directory,
-              {{"accuracy.csv", table_csv(error_table(results))},
-               {"accuracy.json", error_json(description.scene.name, results)},
-               {"host_times.csv", table_csv(host_time_table(results))},
-               {"host_times.json", host_time_json(results)},
-               {"manifest.json",
+              {{"manifest.json",
                 manifest_json(manifest_of(command, description.input_files, host_time.count()))}});
   for (const AccuracyPlot& plot : accuracy_plots(results)) {
     draw(directory / "plots", plot.name, plot.script);

@@ -6,7 +6,7 @@
 #include "models/board/work_cost.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/counted_pixel.hpp"
-#include "sim/run/executed_sample.hpp"
+#include "sim/run/executed_pixels.hpp"
 
 namespace maquette::sim {
 
@@ -27,37 +27,35 @@ Prices table_prices(const Machine& machine) {
   return prices;
 }
 
-/// Steps through the zone's rows that are no divisor of their length, so that samples form no
-/// columns.
-std::uint32_t step_through(const models::PixelRectangle& zone) {
-  std::int64_t step = std::max<std::int64_t>(1, zone.pixels() / k_wanted_pixels);
-  while (step > 1 && (zone.width % step == 0 || step % 2 == 0)) {
-    ++step;
-  }
-  return static_cast<std::uint32_t>(step);
-}
-
 firmware::Work counted(const PreparedScene<firmware::Counted>& scene,
-                       SynthesisArea<firmware::Counted>& area, const ExecutedPixel& pixel) {
+                       SynthesisArea<firmware::Counted>& area,
+                       const models::PixelPosition& position) {
   firmware::reset_counted_work();
-  firmware::synthesize(scene.frame(), area.view(), static_cast<std::int16_t>(pixel.column),
-                       static_cast<std::int16_t>(pixel.row));
+  firmware::synthesize(scene.frame(), area.view(), static_cast<std::int16_t>(position.column),
+                       static_cast<std::int16_t>(position.row));
   return firmware::counted_work();
 }
 
-std::vector<PricedWork> samples_of(const Scene& scene, const Machine& machine,
-                                   const Prices& table) {
-  const PictureFormat format = picture_format_of(machine);
-  const PreparedScene<firmware::Counted> prepared(packed_scene<firmware::Counted>(scene, format));
+/// How long a thousandth of a clock lasts, refresh included, in picoseconds.
+double milliclock_ps(const Machine& machine) {
+  constexpr std::int64_t k_many = 1'000'000'000'000;
+  const models::WorkCost cost(machine.parameters.board);
+  return static_cast<double>(cost.elapsed(k_many).count()) / static_cast<double>(k_many);
+}
+
+std::vector<PricedWork> samples_of(const Scene& scene, const Machine& machine) {
+  const PreparedScene<firmware::Counted> prepared(
+      packed_scene<firmware::Counted>(scene, picture_format_of(machine)));
   SynthesisArea<firmware::Counted> area(prepared.frame().database);
-  const std::uint32_t step = step_through(useful_zone_of(prepared.frame()));
+  const std::int64_t share = useful_zone_of(prepared.frame()).pixels() / k_wanted_pixels;
+  const double milliclock = milliclock_ps(machine);
   std::vector<PricedWork> samples;
-  for (const ExecutedPixel& pixel :
-       executed_sample(packed_scene<float>(scene, format), machine, step)) {
-    const double arithmetic = cost(pixel.arithmetic, table);
-    samples.push_back(
-        {counted(prepared, area, pixel), static_cast<double>(pixel.milliclocks) + arithmetic});
-  }
+  execute_pixels(scene, machine, static_cast<int>(std::max<std::int64_t>(1, share)),
+                 [&](const ExecutedPixel& pixel) {
+                   samples.push_back({counted(prepared, area, pixel.position),
+                                      static_cast<double>(pixel.time.count()) / milliclock});
+                   return true;
+                 });
   return samples;
 }
 
@@ -81,7 +79,7 @@ void judge(const std::vector<PricedWork>& samples, Calibration& calibration) {
 
 Calibration calibrate(const Scene& scene, const Machine& machine) {
   const Prices table = table_prices(machine);
-  const std::vector<PricedWork> samples = samples_of(scene, machine, table);
+  const std::vector<PricedWork> samples = samples_of(scene, machine);
   Calibration calibration{};
   calibration.milliclocks = fitted_prices(samples, table);
   judge(samples, calibration);

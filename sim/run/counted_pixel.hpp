@@ -24,7 +24,8 @@ inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Co
 }
 
 /// The pixels of a frame that the firmware synthesises.
-inline models::PixelRectangle useful_zone_of(const firmware::Frame<firmware::Counted>& frame) {
+template <class Real>
+models::PixelRectangle useful_zone_of(const firmware::Frame<Real>& frame) {
   const firmware::Rectangle& zone = frame.prepared.useful_zone;
   return zone.is_empty() ? models::PixelRectangle{}
                          : models::PixelRectangle{zone.first_column, zone.first_row,

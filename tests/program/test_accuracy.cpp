@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <regex>
 
@@ -55,10 +56,10 @@ TEST_CASE("every level is held against its reference, and only host times differ
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   REQUIRE(accuracy(scratch, "--repeats 2 --quiet", "two").exit_code == 0);
-  for (const char* name : {"accuracy.csv", "accuracy.json"}) {
+  for (const char* name : {"accuracy.csv", "accuracy.json", "tile_error.png"}) {
     CHECK(content_of(scratch / "one" / name) == content_of(scratch / "two" / name));
   }
-  for (const char* ladder : {"bus", "number", "depth", "weight"}) {
+  for (const char* ladder : {"processor", "bus", "number", "depth", "weight"}) {
     CHECK(outcome.output.find(std::string(ladder) + ": ") != std::string::npos);
     for (const char* ending : {".svg", ".png", ".gp"}) {
       const auto file =
@@ -96,6 +97,61 @@ TEST_CASE("levels of the bus: the same picture, exact below an access, no wait w
   CHECK(ideal["wait_error"] == -1);
   CHECK(ideal["frame_time_s"].get<double>() <=
         level_of(bus, "transaction")["frame_time_s"].get<double>());
+}
+
+TEST_CASE("counted pixels are held against instructions: the same picture in another time") {
+  const ScratchDirectory scratch;
+  REQUIRE(accuracy(scratch, "--ladder processor --repeats 1 --quiet", "whole").exit_code == 0);
+  const Json whole = ladder_of(errors_of(scratch, "whole"), "processor");
+  CHECK(whole["reference"] == "instruction");
+  const Json counted = level_of(whole, "counted");
+  CHECK(counted["picture_largest"] == 0);
+  CHECK(counted["frame_time_error"] != 0);
+  CHECK(counted["tile_error_median"] > 0);
+  CHECK(counted["tile_error_worst"] >= counted["tile_error_95"]);
+  CHECK(level_of(whole, "instruction")["tile_error_worst"] == 0);
+  const Json calibrated = level_of(whole, "calibrated");
+  CHECK(std::abs(calibrated["frame_time_error"].get<double>()) < 0.01);
+  CHECK(calibrated["tile_error_median"].get<double>() < 0.02);
+  CHECK(level_of(whole, "recorded")["frame_time_s"] == counted["frame_time_s"]);
+  CHECK(level_of(whole, "recorded")["wait_error_s"] == counted["wait_error_s"]);
+
+  REQUIRE(
+      accuracy(scratch, "--ladder processor --repeats 1 --quiet --sample 4", "part").exit_code ==
+      0);
+  const Json part = ladder_of(errors_of(scratch, "part"), "processor");
+  CHECK(part["reference"] == "instruction 1/4");
+  CHECK(level_of(part, "instruction 1/4")["wait_s"].is_null());
+  CHECK(level_of(part, "counted")["wait_error"].is_null());
+  CHECK(level_of(part, "counted")["picture_largest"] == 0);
+  CHECK(level_of(part, "instruction 1/4")["frame_time_s"].get<double>() ==
+        Approx(level_of(whole, "instruction")["frame_time_s"].get<double>()).epsilon(0.02));
+}
+
+TEST_CASE("a broken price of counted pixels shows as an error") {
+  const ScratchDirectory scratch;
+  REQUIRE(accuracy(scratch,
+                   "--ladder processor --repeats 1 --quiet --set board.call_overhead.clocks=5200",
+                   "out")
+              .exit_code == 0);
+  const Json counted = level_of(ladder_of(errors_of(scratch, "out"), "processor"), "counted");
+  CHECK(counted["frame_time_error"] > 1);
+  CHECK(counted["tile_error_median"] > 1);
+}
+
+TEST_CASE("a machine that executes no instructions has no such ladder, and it is told why") {
+  const ScratchDirectory scratch;
+  const Outcome outcome =
+      accuracy(scratch, "--repeats 1 --quiet --set board.arithmetic=ieee_single", "out");
+  CHECK(outcome.exit_code == 0);
+  CHECK(std::regex_search(outcome.errors, std::regex("processor is left out.*ieee_single")));
+  for (const Json& ladder : errors_of(scratch, "out")["ladders"]) {
+    CHECK(ladder["name"] != "processor");
+  }
+  CHECK_FALSE(std::filesystem::exists(scratch / "out" / "tile_error.png"));
+  CHECK(accuracy(scratch, "--ladder bus --repeats 1 --quiet --set board.arithmetic=ieee_single",
+                 "bus")
+            .errors.empty());
 }
 
 TEST_CASE("on a saturated bus no level but the exact one is right") {
@@ -148,10 +204,11 @@ TEST_CASE("Bad input is refused before anything is written") {
     const char* options;
     const char* pattern;
   };
-  const Case cases[] = {{"--quantum 5", "quantum.*us"},       {"--quantum=-1us", "quantum"},
-                        {"--quantum \"2 s\"", "quantum"},     {"--ladder stair", "bus"},
-                        {"--repeats 0", "repeats"},           {"--machine zx81", "zx81"},
-                        {"--set processors=0", "processors"}, {"--set board.stack=256B", "stack"}};
+  const Case cases[] = {{"--quantum 5", "quantum.*us"},     {"--quantum=-1us", "quantum"},
+                        {"--quantum \"2 s\"", "quantum"},   {"--ladder stair", "bus"},
+                        {"--repeats 0", "repeats"},         {"--sample 0", "sample"},
+                        {"--machine zx81", "zx81"},         {"--set processors=0", "processors"},
+                        {"--set board.stack=256B", "stack"}};
   for (const Case& c : cases) {
     const Outcome outcome = accuracy(scratch, c.options, "out");
     INFO(c.options << "\n" << outcome.errors);

@@ -19,7 +19,8 @@ inline sim::LevelOutcome random_outcome(std::mt19937& random, bool is_simulated)
     const auto time = [&random] {
       return models::Duration{static_cast<std::int64_t>(random()) * 100'003};
     };
-    outcome.simulated = {time(), {time(), time()}};
+    outcome.simulated = {time(), {time(), time()}, static_cast<double>(random())};
+    outcome.tiles = sim::TileTimes{{{1, 2, 40, 20}}, {time(), time(), time(), time(), {}, time()}};
   }
   outcome.host_time_s = static_cast<double>(random() % 1000) / 1000;
   return outcome;

@@ -24,13 +24,19 @@ Scene scene_with(const RayTree& tree, double specular) {
   return scene;
 }
 
+Machine executable_machine() {
+  Machine machine;
+  machine.parameters.board.arithmetic.execution = maquette::models::ArithmeticExecution::costs;
+  return machine;
+}
+
 }  // namespace
 
 TEST_CASE("ladders have names of their own and a reference") {
   Scene scene = scene_with({}, 1);
   scene.object.children.resize(1);
   scene.object.children[0].primitive = primitive_of(RevolutionShape{});
-  const std::vector<Ladder> ladders = ladders_of(scene, default_quanta());
+  const std::vector<Ladder> ladders = ladders_of(scene, executable_machine(), {});
   std::set<std::string> names;
   for (const Ladder& ladder : ladders) {
     CHECK(names.insert(ladder.name).second);
@@ -45,8 +51,24 @@ TEST_CASE("ladders have names of their own and a reference") {
 }
 
 TEST_CASE("what a scene has not is not varied") {
-  CHECK(ladders_of(scene_with({}, 0), {}).size() == 2);
-  CHECK(ladders_of(scene_with({}, 1), {}).size() == 4);
+  CHECK(ladders_of(scene_with({}, 0), Machine{}, {}).size() == 2);
+  CHECK(ladders_of(scene_with({}, 1), Machine{}, {}).size() == 4);
+}
+
+TEST_CASE("instructions are the reference where boards can execute them, and say what is sampled") {
+  const Scene scene = scene_with({}, 0);
+  const Ladder whole = ladders_of(scene, executable_machine(), {})[0];
+  CHECK(whole.name == "processor");
+  CHECK(whole.reference_name() == "instruction");
+  LadderChoices choices;
+  choices.share = 12;
+  const Ladder sampled = ladders_of(scene, executable_machine(), choices)[0];
+  CHECK(sampled.reference_name() == "instruction 1/12");
+  CHECK(sampled.varies.find("extrapolated") != std::string::npos);
+  CHECK(sampled.levels[sampled.reference].share == 12);
+  for (const Ladder& ladder : ladders_of(scene, Machine{}, {})) {
+    CHECK(ladder.name != "processor");
+  }
 }
 
 TEST_CASE("the tree of rays is varied around the scene's own, where there is one") {

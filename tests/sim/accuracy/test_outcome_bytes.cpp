@@ -14,6 +14,13 @@ TEST_CASE("an outcome comes back as it was, and a damaged one not at all") {
     if (back.simulated) {
       CHECK(back.simulated->frame == outcome.simulated->frame);
       CHECK(back.simulated->waits == outcome.simulated->waits);
+      CHECK(back.simulated->processor_clocks == outcome.simulated->processor_clocks);
+      REQUIRE(back.tiles.has_value());
+      CHECK(back.tiles->times == outcome.tiles->times);
+      CHECK(back.tiles->grid.columns() == outcome.tiles->grid.columns());
+      CHECK(back.tiles->grid.zone.column0 == outcome.tiles->grid.zone.column0);
+      CHECK(back.tiles->grid.zone.row0 == outcome.tiles->grid.zone.row0);
+      CHECK(back.tiles->grid.rows() == outcome.tiles->grid.rows());
     }
     CHECK(back.picture.width == outcome.picture.width);
     CHECK(back.picture.height == outcome.picture.height);

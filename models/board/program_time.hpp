@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/arithmetic/work.hpp"
+#include "models/board/kvm02_parameters.hpp"
+#include "models/board/mc68000/account.hpp"
+#include "models/board/work_cost.hpp"
+#include "models/bus/duration.hpp"
+
+namespace maquette::models {
+
+/// How long a board computes on its program: the clocks of the instructions with the wait states of
+/// the RAM, what the host's routines would have cost, and refresh. Accesses off the board are left
+/// out, the bus times them.
+class ProgramTime {
+ public:
+  /// Throws as WorkCost.
+  explicit ProgramTime(const Kvm02Parameters& parameters);
+
+  /// From the program's start to where its processor has this account. `work` is what the host's
+  /// routines did since the last call.
+  [[nodiscard]] Duration elapsed(const mc68000::Account& account, const firmware::Work& work);
+
+ private:
+  WorkCost cost_;
+  Clocks read_wait_;
+  Clocks write_wait_;
+  std::int64_t work_milliclocks_ = 0;
+};
+
+}  // namespace maquette::models

@@ -1,0 +1,83 @@
+#include "sim/run/board_start.hpp"
+
+#include "models/machine/machine_addresses.hpp"
+#include "sim/run/host_arithmetic.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+firmware::ComponentPlace place_of(int bits, int shift) {
+  return {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(shift)};
+}
+
+/// Of a display with depths: red, green and blue side by side in the upper word.
+void set_components(const models::FrameMemoryParameters& frame, firmware::BoardOrder& order) {
+  constexpr int k_word_bits = 16;
+  order.has_depth = frame.depth_bits > 0;
+  order.red = place_of(frame.red_bits, k_word_bits + frame.green_bits + frame.blue_bits);
+  order.green = place_of(frame.green_bits, k_word_bits + frame.blue_bits);
+  order.blue = place_of(frame.blue_bits, k_word_bits);
+}
+
+void set_units(const Machine& machine, int zone_width, firmware::BoardOrder& order) {
+  const models::AllotmentParameters& allotment = machine.parameters.allotment;
+  order.unit_width = 1;
+  order.unit_height = 1;
+  switch (allotment.order) {
+    case models::Allotment::interleaved_pixels:
+      break;
+    case models::Allotment::interleaved_lines:
+      order.unit_width = static_cast<std::uint16_t>(zone_width);
+      break;
+    case models::Allotment::bands:
+      order.bands = static_cast<std::uint16_t>(machine.parameters.boards.size());
+      break;
+    case models::Allotment::tiles:
+      order.unit_width = static_cast<std::uint16_t>(allotment.tile_width);
+      order.unit_height = static_cast<std::uint16_t>(allotment.tile_height);
+      break;
+  }
+}
+
+}  // namespace
+
+firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetup& setup) {
+  const models::MachineParameters& parameters = machine.parameters;
+  const models::MachineAddresses addresses =
+      models::machine_addresses(parameters, setup.shared_database.size());
+  firmware::BoardOrder order{};
+  order.unit_step = static_cast<std::uint32_t>(parameters.boards.size());
+  order.frame_width = static_cast<std::uint16_t>(parameters.frame_memory.width);
+  order.frame_memory = static_cast<std::uint32_t>(addresses.frame.base);
+  if (models::is_claimed(parameters.allotment.assignment)) {
+    order.lock = static_cast<std::uint32_t>(addresses.shared.lock());
+  }
+  set_units(machine, setup.useful_zone.width, order);
+  set_components(parameters.frame_memory, order);
+  return order;
+}
+
+BoardRoom board_room(const Machine& machine) {
+  const models::Kvm02Parameters& board = machine.parameters.board;
+  const bool keeps_line = models::keeps_line(board.pixel_write);
+  return {static_cast<std::uint32_t>(board.ram_bytes),
+          static_cast<std::uint32_t>(machine.system_bytes),
+          static_cast<std::uint32_t>(machine.crossing_capacity),
+          static_cast<std::uint32_t>(machine.ray_capacity),
+          keeps_line ? static_cast<std::uint32_t>(machine.parameters.frame_memory.width) : 0,
+          static_cast<std::uint32_t>(machine.stack_bytes)};
+}
+
+models::ProgramEntry program_entry(const BoardImage& image) {
+  return {address_of(image.program, "board_program"), image.stack,
+          address_of(image.program, "board_synthesis")};
+}
+
+models::HostRoutines host_routines(const Machine& machine, const BoardImage& image) {
+  return machine.parameters.board.arithmetic.execution == models::ArithmeticExecution::package
+             ? models::HostRoutines{}
+             : host_arithmetic(image.program);
+}
+
+}  // namespace maquette::sim

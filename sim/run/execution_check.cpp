@@ -1,0 +1,25 @@
+#include "sim/run/execution_check.hpp"
+
+#include <fmt/format.h>
+
+namespace maquette::sim {
+
+std::optional<std::string> obstacle_to_execution(const Machine& machine) {
+  constexpr int k_word_bits = 16;
+  const models::MachineParameters& parameters = machine.parameters;
+  if (parameters.board.arithmetic.execution == models::ArithmeticExecution::none) {
+    return fmt::format(
+        "{} is not an arithmetic of FFP numbers on an MC68000; set "
+        "board.arithmetic=motorola_ffp or maquette_ffp",
+        machine.arithmetic_name);
+  }
+  if (models::is_shared(parameters.board.database)) {
+    return "it reads the scene from the board's own RAM; set board.database=own_copy";
+  }
+  if (parameters.bus.data_width_bits != k_word_bits) {
+    return "an MC68000 has a data bus of 16 bits; set bus.data_width=\"16 bits\"";
+  }
+  return std::nullopt;
+}
+
+}  // namespace maquette::sim

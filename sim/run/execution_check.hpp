@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/machine/machine.hpp"
+
+namespace maquette::sim {
+
+/// Why the boards of a machine can not execute their program, with what to set; nothing when they
+/// can.
+[[nodiscard]] std::optional<std::string> obstacle_to_execution(const Machine& machine);
+
+}  // namespace maquette::sim
