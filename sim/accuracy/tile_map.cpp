@@ -43,14 +43,16 @@ models::Picture tile_map(const TileError& error, int width, int height) {
 }
 
 std::optional<TileError> mapped_error(const std::vector<LadderResult>& results) {
+  std::optional<TileError> worst;
   for (const LadderResult& result : results) {
-    for (std::size_t level = 0; level < result.levels.size(); ++level) {
-      if (level != result.ladder.reference && result.levels[level].error.tiles) {
-        return result.levels[level].error.tiles;
+    for (const LevelResult& level : result.levels) {
+      const std::optional<TileError>& error = level.error.tiles;
+      if (error && (!worst || error->worst > worst->worst)) {
+        worst = error;
       }
     }
   }
-  return std::nullopt;
+  return worst;
 }
 
 }  // namespace maquette::sim

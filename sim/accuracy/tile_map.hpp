@@ -13,7 +13,7 @@ namespace maquette::sim {
 /// that are not timed are light grey, what is outside of the useful zone is dark.
 [[nodiscard]] models::Picture tile_map(const TileError& error, int width, int height);
 
-/// The errors of the first level, other than its ladder's reference, whose tiles are timed.
+/// The errors of the level whose worst tile is the worst of all, if any level has timed tiles.
 [[nodiscard]] std::optional<TileError> mapped_error(const std::vector<LadderResult>& results);
 
 }  // namespace maquette::sim

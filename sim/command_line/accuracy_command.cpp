@@ -66,9 +66,11 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
       verb,
       "accuracy.csv and accuracy.json hold what the input determines. Processor times of the host, "
       "which no\ntwo runs share, are in host_times.csv, host_times.json, manifest.json and the "
-      "plots over host time alone.\ntile_error.png is the screen by tiles: white where the counted "
-      "time is that of the instructions, red where\nit is longer, blue where shorter, full colour "
-      "for tile_error_worst of accuracy.csv, light grey where not executed.",
+      "plots over host time alone.\ntile_error.png is the screen by tiles: white where the "
+      "time of the level with the worst tile is that of\nthe instructions, red where it is longer, "
+      "blue "
+      "where shorter, full colour for tile_error_worst of\naccuracy.csv, light grey where not "
+      "executed.",
       {"maquette accuracy photo4 --ladder bus"});
 }
 
