@@ -16,6 +16,7 @@ std::vector<models::Duration> durations_of(const std::vector<std::int64_t>& coun
 
 std::vector<std::int64_t> counts_of(const std::vector<models::Duration>& durations) {
   std::vector<std::int64_t> counts;
+  counts.reserve(durations.size());
   for (const models::Duration duration : durations) {
     counts.push_back(duration.count());
   }
