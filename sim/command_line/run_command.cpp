@@ -20,6 +20,7 @@
 #include "sim/report/run_directory.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
+#include "sim/run/execution_check.hpp"
 #include "sim/run/frame_recorder.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/record_store.hpp"
@@ -178,6 +179,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   request.executed = options.processor == "instruction";
   request.calibrated = options.processor == "calibrated";
+  if (request.executed || request.calibrated) {
+    require_execution(description.machine);
+  }
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name

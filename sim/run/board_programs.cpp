@@ -12,10 +12,6 @@ namespace maquette::sim {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& what) {
-  throw DescriptionError("the boards can not execute their program: " + what);
-}
-
 std::vector<unsigned char> part(const std::vector<unsigned char>& ram, std::size_t first,
                                 std::size_t end) {
   return {ram.begin() + static_cast<std::ptrdiff_t>(first),
@@ -53,14 +49,13 @@ models::ProgramSetup programs_of(const PackedScene<float>& packed, const Machine
 
 void set_programs(const PackedScene<float>& packed, const Machine& machine, int threads,
                   models::FrameSetup& setup) {
-  if (const auto obstacle = obstacle_to_execution(machine)) {
-    refuse(*obstacle);
-  }
+  require_execution(machine);
   setup.images.clear();
   try {
     setup.program = programs_of(packed, machine, setup);
   } catch (const std::out_of_range& error) {
-    refuse(std::string(error.what()) + "; raise board.ram");
+    throw DescriptionError(std::string("the boards can not execute their program: ") +
+                           error.what() + "; raise board.ram");
   }
   setup.program->threads = threads;
 }

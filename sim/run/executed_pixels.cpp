@@ -9,7 +9,6 @@
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/pixel_sample.hpp"
-#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -93,9 +92,7 @@ class PixelFollower {
 }  // namespace
 
 void execute_pixels(const Scene& scene, const Machine& machine, int share, const PixelTaker& take) {
-  if (const auto obstacle = obstacle_to_execution(machine)) {
-    throw DescriptionError("the boards can not execute their program: " + *obstacle);
-  }
+  require_execution(machine);
   const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
   SynthesisArea<float> area(prepared.frame().database);
   const firmware::BoardOrder order = sample_order(machine, useful_zone_of(prepared.frame()), share);

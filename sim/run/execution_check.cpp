@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "sim/yaml/description_error.hpp"
+
 namespace maquette::sim {
 
 std::optional<std::string> obstacle_to_execution(const Machine& machine) {
@@ -20,6 +22,12 @@ std::optional<std::string> obstacle_to_execution(const Machine& machine) {
     return "an MC68000 has a data bus of 16 bits; set bus.data_width=\"16 bits\"";
   }
   return std::nullopt;
+}
+
+void require_execution(const Machine& machine) {
+  if (const std::optional<std::string> obstacle = obstacle_to_execution(machine)) {
+    throw DescriptionError("the boards can not execute their program: " + *obstacle);
+  }
 }
 
 }  // namespace maquette::sim

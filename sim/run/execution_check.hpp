@@ -11,4 +11,8 @@ namespace maquette::sim {
 /// can.
 [[nodiscard]] std::optional<std::string> obstacle_to_execution(const Machine& machine);
 
+/// Throws DescriptionError, with that reason, when the boards of a machine can not execute their
+/// program.
+void require_execution(const Machine& machine);
+
 }  // namespace maquette::sim

@@ -81,6 +81,7 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
     const Outcome outcome = run_maquette("run " + scene + " --processor instruction " + options +
                                          k_coarse + (scratch / "refused").string());
     CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(std::filesystem::exists(scratch / "refused"));
     return outcome.errors;
   };
   CHECK_THAT(refused("--set board.database=shared"), ContainsSubstring("board.database=own_copy"));
