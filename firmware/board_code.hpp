@@ -11,7 +11,7 @@
 namespace maquette::firmware {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_board_code_version = "86a2323a8a3df93b7bab3c2c6b81e59043595940";
+inline constexpr const char* k_board_code_version = "fa2b509766fa418132e3e9986fbddd9c4d83b3e4";
 
 /// A function or a table: its words, and the long words in them that are addresses.
 struct CodePiece {

@@ -10,7 +10,6 @@ namespace maquette::firmware {
 /// The ray in the local frame of a leaf; distances along it stay the same.
 template <class Real>
 Ray<Real> local_ray(const PreparedLeaf<Real>& leaf, const RayQuery<Real>& query) {
-  charge<Real>(Operation::branch);
   if (query.is_primary) {
     charge<Real>(Operation::load, 3);
     // It starts at the eye, and its direction is one unit deep.
@@ -30,14 +29,12 @@ std::int32_t crossings_of_hits(const RayQuery<Real>& query, NodeIndex node, Surf
                                const Hit<Real>* hits, int hit_count, Crossing<Real>* first) {
   std::int32_t count = 0;
   for (int i = 0; i < hit_count; i += 2) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
     const Hit<Real>& in = hits[i];
     const Hit<Real>& out = hits[i + 1];
     if (out.distance <= constant<Real>(0) || in.distance > query.reach) {
       continue;
     }
-    charge<Real>(Operation::store, 6);
+    charge<Real>(Operation::span);
     first[count++] = {in.distance, node, in.face, false, surface};
     first[count++] = {out.distance, node, out.face, true, k_void};
   }
@@ -49,9 +46,9 @@ template <int limit, class Real>
 [[gnu::always_inline]] inline std::int32_t cross_primitive(const Frame<Real>& frame,
                                                            const RayQuery<Real>& query,
                                                            NodeIndex node, Crossing<Real>* first) {
+  charge<Real>(Operation::leaf);
   const Leaf<Real>& leaf = frame.database.leaves[node];
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::call, 2);
   Hit<Real> hits[limit];
   const int hit_count = primitive_of<Real>(leaf.kind).intersect(
       local_ray(frame.prepared.leaves[node], query),
@@ -76,7 +73,6 @@ template <class Real>
 std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
                         Crossing<Real>* first) {
   if (frame.database.needs.several_spans) {
-    charge<Real>(Operation::branch);
     if (!primitive_of<Real>(frame.database.leaves[node].kind).is_convex) {
       return cross_spans(frame, query, node, first);
     }
@@ -90,8 +86,7 @@ std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, N
 template <class Real>
 std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
                    Crossing<Real>* first) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch);
+  charge<Real>(Operation::node);
   if (is_left_behind(frame.database, query, node) || !may_meet(frame, query, node)) {
     return 0;
   }
@@ -100,7 +95,6 @@ std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIn
   }
   const Composite& composite = frame.database.composite(node);
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::branch, 4);
   const std::int32_t a_count = cross(frame, query, composite.children[0], first);
   const bool is_union = composite.combination == BooleanOperator::union_of;
   if (a_count == 0 && !is_union) {

@@ -11,7 +11,6 @@ namespace maquette::firmware {
 /// surface declared first. Commutative and associative, so the order of a union's children is free.
 template <class Real>
 SurfaceIndex united_medium(const Surface<Real>* surfaces, SurfaceIndex a, SurfaceIndex b) {
-  charge<Real>(Operation::branch, 3);
   if (a == k_void || a == b) {
     return b;
   }
@@ -29,7 +28,6 @@ SurfaceIndex united_medium(const Surface<Real>* surfaces, SurfaceIndex a, Surfac
 template <class Real>
 SurfaceIndex combined_medium(BooleanOperator combination, const Surface<Real>* surfaces,
                              SurfaceIndex a, SurfaceIndex b) {
-  charge<Real>(Operation::branch, 2);
   switch (combination) {
     case BooleanOperator::union_of:
       return united_medium(surfaces, a, b);
@@ -60,7 +58,6 @@ struct OperandCursor {
 template <class Real>
 bool coincide(const Prepared<Real>& prepared, const Crossing<Real>& a, const Crossing<Real>& b) {
   const Real apart = absolute(a.distance - b.distance);
-  charge<Real>(Operation::branch);
   if (apart > prepared.coarse_tolerance) {
     return false;
   }
@@ -75,7 +72,6 @@ bool coincide(const Prepared<Real>& prepared, const Crossing<Real>& a, const Cro
 template <class Real>
 const Crossing<Real>& take_next(const Frame<Real>& frame, BooleanOperator combination,
                                 OperandCursor<Real>& a, OperandCursor<Real>& b) {
-  charge<Real>(Operation::branch, 3);
   if (b.is_at_end()) {
     return a.take();
   }
@@ -97,7 +93,6 @@ const Crossing<Real>& take_next(const Frame<Real>& frame, BooleanOperator combin
 /// is nothing to see.
 template <class Real>
 bool is_boundary(const Surface<Real>* surfaces, SurfaceIndex before, SurfaceIndex after) {
-  charge<Real>(Operation::branch, 2);
   if (before == after) {
     return false;
   }
@@ -111,26 +106,23 @@ template <class Real>
 [[gnu::noinline]] std::int32_t combine(const Frame<Real>& frame, BooleanOperator combination,
                                        Crossing<Real>* first, std::int32_t a_count,
                                        std::int32_t b_count) {
+  charge<Real>(Operation::combination);
   const Surface<Real>* surfaces = frame.database.surfaces;
-  charge<Real>(Operation::call);
   OperandCursor<Real> a{first, first + a_count, k_void};
   OperandCursor<Real> b{a.end, a.end + b_count, k_void};
   Crossing<Real>* const result = first + a_count + b_count;
   std::int32_t count = 0;
   SurfaceIndex medium = k_void;
   while (!a.is_at_end() || !b.is_at_end()) {
-    charge<Real>(Operation::loop);
+    charge<Real>(Operation::crossing);
     const Crossing<Real>& seen = take_next(frame, combination, a, b);
     const SurfaceIndex after = combined_medium(combination, surfaces, a.medium, b.medium);
     if (is_boundary(surfaces, medium, after)) {
-      charge<Real>(Operation::store, 3);
       result[count++] = {seen.distance, seen.leaf, seen.face, seen.outwards, after};
       medium = after;
     }
   }
   for (std::int32_t i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::store, 3);
     first[i] = result[i];
   }
   return count;

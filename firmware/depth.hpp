@@ -17,8 +17,6 @@ template <class Real>
   Real low = far_away<Real>();
   Real high = constant<Real>(0);
   for (NodeIndex leaf = 0; leaf < database.leaf_count; ++leaf) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     if (extents[leaf].bounded) {
       low = smaller(low, extents[leaf].box.low.z);
       high = larger(high, extents[leaf].box.high.z);

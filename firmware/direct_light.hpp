@@ -10,8 +10,6 @@ namespace maquette::firmware {
 /// Reflected share per colour of a surface at a given angle of incidence.
 template <class Real>
 Color<Real> fresnel_factor(const Surface<Real>& surface, Real cosine, Real index) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch);
   if (!surface.metal) {
     const Real reflected = dielectric_border(cosine, index).reflected;
     return {reflected, reflected, reflected};
@@ -56,7 +54,6 @@ template <class Real>
                                                 const SurfacePoint<Real>& point,
                                                 const View<Real>& view,
                                                 const Vector<Real>& to_light, Real n_l) {
-  charge<Real>(Operation::call);
   const Vector<Real> half = normalize(view.towards + to_light);
   const Real one = constant<Real>(1);
   const Real n_h = smaller(one, absolute(glm::dot(point.normal, half)));
@@ -70,11 +67,9 @@ template <class Real>
 [[gnu::noinline]] Real glossy_transmission(const Surface<Real>& surface,
                                            const SurfacePoint<Real>& point, const View<Real>& view,
                                            const Vector<Real>& to_light, Real n_l) {
-  charge<Real>(Operation::call);
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const Vector<Real> sum = view.towards + to_light * view.index;
-  charge<Real>(Operation::branch, 2);
   if (!(glm::dot(sum, sum) > zero)) {
     return zero;  // equal indices: light goes straight on, no facet bends it
   }
@@ -109,7 +104,6 @@ template <class Real>
 Color<Real> reflectance(const Frame<Real>& frame, const SurfacePoint<Real>& point,
                         const View<Real>& view, const Incidence<Real>& incidence) {
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
-  charge<Real>(Operation::branch, 2);
   charge<Real>(Operation::load);
   const Real zero = constant<Real>(0);
   Color<Real> result(zero, zero, zero);
@@ -129,10 +123,10 @@ template <class Real>
 Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
                        const SurfacePoint<Real>& point, const View<Real>& view,
                        Crossing<Real>* area, RayCounts& rays) {
+  charge<Real>(Operation::light);
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 6);
-  charge<Real>(Operation::branch, 4);
   const Vector<Real> way = frame.prepared.light_positions[light] - point.position;
   const Real along_normal = glm::dot(point.normal, way);
   const bool is_behind = !(along_normal > zero);
@@ -166,14 +160,11 @@ Color<Real> direct_light(const Frame<Real>& frame, const SurfacePoint<Real>& poi
                          const View<Real>& view, Crossing<Real>* area, RayCounts& rays) {
   const Real zero = constant<Real>(0);
   Color<Real> sum(zero, zero, zero);
-  charge<Real>(Operation::branch);
   if (frame.database.needs.ambient) {
     charge<Real>(Operation::load, 3);
     sum = frame.prepared.surfaces[point.surface].ambient;
   }
   for (std::uint16_t light = 0; light < frame.database.light_count; ++light) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::call);
     sum += light_from(frame, light, point, view, area, rays);
   }
   return sum;

@@ -33,7 +33,6 @@ template <class Real>
 Sphere<Real> sphere_around(const Sphere<Real>& a, const Sphere<Real>& b) {
   const Vector<Real> apart = b.center - a.center;
   const Real distance = length(apart);
-  charge<Real>(Operation::branch, 2);
   if (distance + b.radius <= a.radius) {
     return a;
   }
@@ -73,7 +72,6 @@ Extent<Real> united(const Extent<Real>& a, const Extent<Real>& b) {
   extent.bounded = a.bounded && b.bounded;
   extent.transparent = a.transparent || b.transparent;
   extent.rectangle = united(a.rectangle, b.rectangle);
-  charge<Real>(Operation::branch, 10);
   if (extent.bounded) {
     extent.box = {lower(a.box.low, b.box.low), higher(a.box.high, b.box.high)};
     extent.sphere = smaller_sphere(sphere_around(a.sphere, b.sphere), sphere_around(extent.box));
@@ -84,7 +82,6 @@ Extent<Real> united(const Extent<Real>& a, const Extent<Real>& b) {
 /// Extent of what two nodes have in common. Operands that do not meet leave a point.
 template <class Real>
 Extent<Real> common(const Extent<Real>& a, const Extent<Real>& b) {
-  charge<Real>(Operation::branch, 10);
   Extent<Real> extent = b.bounded ? b : a;
   extent.transparent = a.transparent || b.transparent;
   extent.rectangle = common(a.rectangle, b.rectangle);
@@ -106,7 +103,6 @@ Extent<Real> without(const Extent<Real>& a, const Extent<Real>& b) {
 
 template <class Real>
 Extent<Real> combined(BooleanOperator combination, const Extent<Real>& a, const Extent<Real>& b) {
-  charge<Real>(Operation::branch, 2);
   switch (combination) {
     case BooleanOperator::union_of:
       return united(a, b);
@@ -121,11 +117,11 @@ Extent<Real> combined(BooleanOperator combination, const Extent<Real>& a, const 
 /// Whether the part of a ray of unit direction between 0 and `reach` may meet the sphere.
 template <class Real>
 bool meets(const Ray<Real>& ray, Real reach, const Sphere<Real>& sphere) {
+  charge<Real>(Operation::sphere);
   const Vector<Real> to_center = sphere.center - ray.origin;
   const Real along = glm::dot(to_center, ray.direction);
   const Real distance_squared = glm::dot(to_center, to_center);
   charge<Real>(Operation::load, 5);
-  charge<Real>(Operation::branch, 3);
   if (distance_squared <= sphere.radius_squared) {
     return true;
   }

@@ -38,9 +38,8 @@ Real facet_value(KindList<First, Second, Others...> /*kinds*/, const Surface<Rea
 /// it does not need.
 template <class Real>
 Real facet_distribution(const Surface<Real>& surface, Real cosine) {
-  charge<Real>(Operation::branch, 2);
+  charge<Real>(Operation::facets);
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::call);
   return facet_value(FacetKinds{}, surface, cosine);
 }
 

@@ -20,7 +20,6 @@ DielectricBorder<Real> dielectric_border(Real cosine, Real index) {
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const Real g_squared = index * index + (cosine * cosine - one);
-  charge<Real>(Operation::branch);
   if (!(g_squared > zero)) {
     return {one, zero};
   }

@@ -9,7 +9,7 @@ namespace maquette::firmware {
 template <class Real>
 Real entry_of(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
   const Extent<Real>& extent = frame.prepared.extents[node];
-  charge<Real>(Operation::branch, 5);
+  charge<Real>(Operation::rectangle);
   if (query.is_primary && !extent.rectangle.contains(query.column, query.row)) {
     charge<Real>(Operation::load, 2);
     return far_away<Real>();
@@ -22,8 +22,6 @@ template <class Real>
 void shorten(const Frame<Real>& frame, RayQuery<Real>& query, const Crossing<Real>* crossings,
              std::int32_t count) {
   for (std::int32_t i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     const Crossing<Real>& crossing = crossings[i];
     if (crossing.distance > constant<Real>(0) && crossing.medium != k_void &&
         !frame.database.surfaces[crossing.medium].transparent) {
@@ -39,10 +37,9 @@ void shorten(const Frame<Real>& frame, RayQuery<Real>& query, const Crossing<Rea
 template <class Real>
 std::int32_t cross_nearest(const Frame<Real>& frame, RayQuery<Real>& query, NodeIndex node,
                            Crossing<Real>* first) {
+  charge<Real>(Operation::node);
   const Database<Real>& database = frame.database;
   const Real far = far_away<Real>();
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 2);
   if (database.is_leaf(node) || database.composite(node).combination != BooleanOperator::union_of) {
     const std::int32_t count = cross(frame, query, node, first);
     shorten(frame, query, first, count);
@@ -50,7 +47,6 @@ std::int32_t cross_nearest(const Frame<Real>& frame, RayQuery<Real>& query, Node
   }
   const NodeIndex* children = database.composite(node).children;
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::branch, 5);
   const Real entries[] = {entry_of(frame, query, children[0]), entry_of(frame, query, children[1])};
   const int nearer = entries[1] < entries[0] ? 1 : 0;
   std::int32_t near_count = 0;
@@ -74,9 +70,7 @@ std::int32_t first_ahead(const Crossing<Real>* crossings, std::int32_t count,
                          SurfaceIndex& before) {
   before = k_void;
   std::int32_t i = 0;
-  charge<Real>(Operation::loop);
   while (i < count && !(crossings[i].distance > constant<Real>(0))) {
-    charge<Real>(Operation::loop);
     before = crossings[i++].medium;
   }
   return i;
@@ -90,8 +84,6 @@ template <class Real>
   const Database<Real>& database = frame.database;
   const RayQuery<Real> boxed = against_boxes(query);
   RayQuery<Real> shortened = boxed;
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 3);
   if (!may_meet(frame, boxed, database.root)) {
     return 0;
   }

@@ -36,7 +36,6 @@ std::int16_t clamped_index(Real value, std::int32_t end) {
 /// One of the eight corners of a box, in another frame.
 template <class Real>
 Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& frame) {
-  charge<Real>(Operation::branch, 3);
   return transform_point(frame, Vector<Real>((corner & 1) != 0 ? box.high.x : box.low.x,
                                              (corner & 2) != 0 ? box.high.y : box.low.y,
                                              (corner & 4) != 0 ? box.high.z : box.low.z));
@@ -53,7 +52,6 @@ Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real 
   Real bottom = left;
   Real top = -left;
   for (int corner = 0; corner < 8; ++corner) {
-    charge<Real>(Operation::loop);
     const Vector<Real> p = corner_of(local, corner, to_screen);
     const Real depth = p.z - margin;
     if (!(depth > margin)) {
@@ -84,7 +82,6 @@ template <class Real>
 Real stretch(const Affine<Real>& frame) {
   Real largest = constant<Real>(0);
   for (int row = 0; row < 3; ++row) {
-    charge<Real>(Operation::loop);
     const Real sum = absolute(glm::dot(frame[row], frame[0])) +
                      absolute(glm::dot(frame[row], frame[1])) +
                      absolute(glm::dot(frame[row], frame[2]));
@@ -97,13 +94,11 @@ Real stretch(const Affine<Real>& frame) {
 template <class Real>
 Real radius_of(PrimitiveKind kind, const Box<Real>& local, const Affine<Real>& to_screen,
                const Vector<Real>& center) {
-  charge<Real>(Operation::branch);
   if (fits_unit_ball(kind, Primitives{})) {
     return stretch(to_screen);
   }
   Real radius = constant<Real>(0);
   for (int corner = 0; corner < 8; ++corner) {
-    charge<Real>(Operation::loop);
     radius = larger(radius, length(corner_of(local, corner, to_screen) - center));
   }
   return radius;
@@ -114,7 +109,6 @@ Box<Real> box_around(const Box<Real>& local, const Affine<Real>& to_screen) {
   Box<Real> box;
   box.low = box.high = corner_of(local, 0, to_screen);
   for (int corner = 1; corner < 8; ++corner) {
-    charge<Real>(Operation::loop);
     const Vector<Real> p = corner_of(local, corner, to_screen);
     box = {lower(box.low, p), higher(box.high, p)};
   }
@@ -135,7 +129,6 @@ Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
                          const PreparedLeaf<Real>& prepared) {
   Extent<Real> extent{};
   Box<Real> local{};
-  charge<Real>(Operation::call);
   extent.bounded =
       primitive_of<Real>(leaf.kind).bounds(database.parameters + leaf.first_parameter, local);
   extent.transparent = database.surfaces[leaf.surface].transparent;
@@ -152,7 +145,6 @@ Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
   extent.sphere =
       sphere_of(center, radius_of(leaf.kind, local, prepared.to_screen, center) + margin);
   extent.rectangle = projected(local, prepared.to_screen, prepared.scale, database.observer);
-  charge<Real>(Operation::store, 12);
   return extent;
 }
 
@@ -160,14 +152,12 @@ template <class Real>
 void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
   Real largest = constant<Real>(0);
   for (NodeIndex node = 0; node < database.leaf_count; ++node) {
-    charge<Real>(Operation::loop);
     const Leaf<Real>& leaf = database.leaves[node];
     prepared.leaves[node] = prepared_leaf(leaf, database.observer);
     prepared.extents[node] = leaf_extent(database, leaf, prepared.leaves[node]);
     largest = larger(largest, prepared.leaves[node].scale);
   }
   for (NodeIndex node = database.leaf_count; node < database.node_count(); ++node) {
-    charge<Real>(Operation::loop);
     const Composite& composite = database.composite(node);
     prepared.extents[node] =
         combined(composite.combination, prepared.extents[composite.children[0]],
@@ -181,11 +171,9 @@ template <class Real>
 [[gnu::noinline]] void prepare_surfaces(const Database<Real>& database, Prepared<Real>& prepared) {
   const Real inverse_pi = constant<Real>(1 / elementary::k_pi);
   for (SurfaceIndex index = 0; index < database.surface_count; ++index) {
-    charge<Real>(Operation::loop);
     const Surface<Real>& surface = database.surfaces[index];
     const Color<Real> share = surface.diffuse * (constant<Real>(1) - surface.specular);
     prepared.surfaces[index] = {share * inverse_pi, share * database.ambient};
-    charge<Real>(Operation::store, 6);
   }
 }
 
@@ -200,7 +188,6 @@ void preprocess(const Database<Real>& database, Prepared<Real>& prepared) {
     preprocessing::prepare_surfaces(database, prepared);
   }
   for (std::uint16_t light = 0; light < database.light_count; ++light) {
-    charge<Real>(Operation::loop);
     prepared.light_positions[light] =
         transform_point(database.observer.to_screen, database.lights[light].position);
   }

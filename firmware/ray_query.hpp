@@ -25,7 +25,6 @@ struct RayQuery {
 /// Whether a node is the leaf that the ray has left behind.
 template <class Real>
 bool is_left_behind(const Database<Real>& database, const RayQuery<Real>& query, NodeIndex node) {
-  charge<Real>(Operation::branch);
   return node == query.left_behind && primitive_of<Real>(database.leaves[node].kind).is_convex;
 }
 
@@ -33,7 +32,6 @@ bool is_left_behind(const Database<Real>& database, const RayQuery<Real>& query,
 template <class Real>
 Real slab_scale(Real component) {
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch);
   return absolute(component) * far_away<Real>() > one ? one / component : far_away<Real>();
 }
 
@@ -42,7 +40,6 @@ template <class Real>
 RayQuery<Real> against_boxes(const RayQuery<Real>& query) {
   RayQuery<Real> result = query;
   const Vector<Real>& direction = query.ray.direction;
-  charge<Real>(Operation::store, 3);
   result.inverse = {slab_scale(direction.x), slab_scale(direction.y), slab_scale(direction.z)};
   return result;
 }
@@ -51,8 +48,8 @@ RayQuery<Real> against_boxes(const RayQuery<Real>& query) {
 /// the ray does not meet the box within its reach.
 template <class Real>
 [[gnu::noinline]] Real entry_into(const Extent<Real>& extent, const RayQuery<Real>& query) {
+  charge<Real>(Operation::box);
   const Real far = far_away<Real>();
-  charge<Real>(Operation::branch, 2);
   if (!extent.bounded) {
     return -far;
   }
@@ -73,10 +70,9 @@ template <class Real>
 template <class Real>
 bool may_meet(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
   const Extent<Real>& extent = frame.prepared.extents[node];
-  charge<Real>(Operation::branch);
   if (query.is_primary) {
     charge<Real>(Operation::load, 2);
-    charge<Real>(Operation::branch, 4);
+    charge<Real>(Operation::rectangle);
     if (!extent.rectangle.contains(query.column, query.row)) {
       return false;
     }

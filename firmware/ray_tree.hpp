@@ -35,11 +35,9 @@ template <class Real>
 std::int32_t spawn_reflected(const Frame<Real>& frame, const SurfacePoint<Real>& point,
                              const View<Real>& view, const Color<Real>& weight, std::int32_t depth,
                              PendingRay<Real>* stack, std::int32_t height) {
-  charge<Real>(Operation::branch);
   if (!is_visible(frame.database, weight)) {
     return height;
   }
-  charge<Real>(Operation::store, 10);
   const Vector<Real> direction = point.normal * (constant<Real>(2) * view.cosine) - view.towards;
   stack[height] = {{departure(point), normalize(direction)}, weight, depth, left_behind(point)};
   return height + 1;
@@ -53,11 +51,9 @@ template <class Real>
                                                const View<Real>& view, Real transmitted_cosine,
                                                const Color<Real>& weight, std::int32_t depth,
                                                PendingRay<Real>* stack, std::int32_t height) {
-  charge<Real>(Operation::branch);
   if (!is_visible(frame.database, weight)) {
     return height;
   }
-  charge<Real>(Operation::store, 10);
   const Vector<Real> direction = point.normal * (view.cosine - transmitted_cosine) - view.towards;
   stack[height] = {
       {far_departure(point), normalize(direction)}, weight, depth, far_left_behind(point)};
@@ -73,8 +69,6 @@ template <class Real>
                                      RayCounts& rays) {
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
   const std::int32_t depth = parent.depth + 1;
-  charge<Real>(Operation::call, 2);
-  charge<Real>(Operation::branch, 2);
   charge<Real>(Operation::load);
   const Color<Real> share = parent.weight * surface.specular;
   std::int32_t top = height;
@@ -84,7 +78,6 @@ template <class Real>
     rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
     return top;
   }
-  charge<Real>(Operation::call);
   const DielectricBorder<Real> border = dielectric_border(view.cosine, view.index);
   top = spawn_reflected(frame, point, view, share * border.reflected, depth, stack, height);
   rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
@@ -107,9 +100,8 @@ template <class Real>
 Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
                    const PendingRay<Real>& pending, const WorkArea<Real>& area,
                    std::int32_t& height, Sight<Real>& sight) {
+  charge<Real>(Operation::ray);
   const Database<Real>& database = frame.database;
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 5);
   const std::int32_t count = cross_scene(frame, query, area.crossings);
   SurfaceIndex before = k_void;
   const std::int32_t first = first_ahead(area.crossings, count, before);
@@ -119,7 +111,6 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
   }
   const Crossing<Real> crossing = area.crossings[first];
   if (database.needs.depth && query.is_primary) {
-    charge<Real>(Operation::branch);
     sight.depth = crossing.distance;
   }
   PendingRay<Real> arriving = pending;
@@ -159,7 +150,6 @@ Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
   Color<Real> sum =
       follow(frame, primary, {primary.ray, {one, one, one}, 0, k_no_node}, area, height, sight);
   while (height > 0) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 10);
     const PendingRay<Real> pending = area.rays[--height];
     const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0, pending.left_behind};

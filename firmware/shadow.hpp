@@ -11,7 +11,6 @@ namespace maquette::firmware {
 /// What a body of this surface lets through over a length, per colour.
 template <class Real>
 [[gnu::noinline]] Color<Real> transmitted_over(const Surface<Real>& surface, Real length) {
-  charge<Real>(Operation::call);
   charge<Real>(Operation::load, 3);
   return {exponential(-(surface.absorption.x * length)),
           exponential(-(surface.absorption.y * length)),
@@ -29,7 +28,6 @@ template <class Real>
   const Real one = constant<Real>(1);
   const Real index = relative_index(frame.database, before, point.after, point.surface);
   const Real cosine = smaller(one, absolute(glm::dot(point.normal, query.ray.direction)));
-  charge<Real>(Operation::branch);
   charge<Real>(Operation::load);
   const Real reflected = dielectric_border(cosine, index < one ? one / index : index).reflected;
   light *= frame.database.surfaces[point.surface].specular * (one - reflected);
@@ -51,8 +49,6 @@ template <class Real>
   SurfaceIndex medium = k_void;
   Real from = constant<Real>(0);
   for (std::int32_t i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 4);
     const Crossing<Real>& crossing = crossings[i];
     if (crossing.distance > query.reach) {
       break;
@@ -82,7 +78,6 @@ template <class Real>
 template <class Real>
 bool is_stopped(const RayQuery<Real>& query, const Crossing<Real>* crossings, std::int32_t count) {
   for (std::int32_t i = 0; i < count; i += 2) {
-    charge<Real>(Operation::loop);
     if (crossings[i].distance > query.reach) {
       return false;
     }
@@ -99,9 +94,8 @@ bool is_stopped(const RayQuery<Real>& query, const Crossing<Real>* crossings, st
 template <class Real>
 [[gnu::noinline]] bool pass_node(const Frame<Real>& frame, const RayQuery<Real>& query,
                                  NodeIndex node, Crossing<Real>* first, Color<Real>& light) {
+  charge<Real>(Operation::node);
   const Database<Real>& database = frame.database;
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 4);
   const bool is_union =
       !database.is_leaf(node) && database.composite(node).combination == BooleanOperator::union_of;
   if (is_union) {
@@ -119,7 +113,6 @@ template <class Real>
     }
   }
   const std::int32_t count = cross(frame, query, node, first);
-  charge<Real>(Operation::branch);
   if (!frame.prepared.extents[node].transparent) {
     return !is_stopped(query, first, count);
   }
@@ -131,6 +124,7 @@ template <class Real>
 template <class Real>
 bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
              Crossing<Real>* area, Color<Real>& light) {
+  charge<Real>(Operation::shadow_ray);
   const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
   return pass_node(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
                    frame.database.root, area, light);

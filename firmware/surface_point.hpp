@@ -27,7 +27,6 @@ template <class Real>
 SurfaceIndex visible_surface(const Frame<Real>& frame, const Crossing<Real>& crossing,
                              SurfaceIndex before) {
   const Surface<Real>* surfaces = frame.database.surfaces;
-  charge<Real>(Operation::branch, 3);
   const SurfaceIndex matter = crossing.medium != k_void ? crossing.medium : before;
   const SurfaceIndex own = frame.database.leaves[crossing.leaf].surface;
   return surfaces[matter].transparent || surfaces[own].transparent ? matter : own;
@@ -38,11 +37,11 @@ SurfaceIndex visible_surface(const Frame<Real>& frame, const Crossing<Real>& cro
 template <class Real>
 SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>& query,
                                  const Crossing<Real>& crossing, SurfaceIndex before) {
+  charge<Real>(Operation::point);
   const Leaf<Real>& leaf = frame.database.leaves[crossing.leaf];
   const PreparedLeaf<Real>& prepared = frame.prepared.leaves[crossing.leaf];
   const Primitive<Real>& primitive = primitive_of<Real>(leaf.kind);
   const Real* parameters = frame.database.parameters + leaf.first_parameter;
-  charge<Real>(Operation::call, 3);
   charge<Real>(Operation::load, 3);
   const Ray<Real> local = local_ray(prepared, query);
   const FacePoint<Real> settled = primitive.settle(
@@ -52,7 +51,6 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
   const Vector<Real> outward = normalize(transform_normal(prepared.from_screen, settled.normal));
   // The way of the crossing, not a product with the direction: at a grazing point that rounding has
   // moved, its sign may be wrong.
-  charge<Real>(Operation::branch);
   point.normal = crossing.outwards ? -outward : outward;
   point.clearance = (prepared.scale + magnitude(point.position)) * ulps<Real>(k_clearance);
   point.surface = visible_surface(frame, crossing, before);
@@ -92,7 +90,6 @@ template <class Real>
 Real relative_index(const Database<Real>& database, SurfaceIndex before, SurfaceIndex after,
                     SurfaceIndex surface) {
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch, 2);
   const Real far = after == k_void ? one : database.surfaces[surface].index.x;
   charge<Real>(Operation::load, 2);
   return before == k_void ? far : far / database.surfaces[before].index.x;

@@ -21,7 +21,6 @@ std::uint32_t component_of(Real luminance) {
 
 template <class Real>
 std::uint32_t rgb_of(const Color<Real>& color) {
-  charge<Real>(Operation::branch, 2);
   return component_of(color.x) << 16U | component_of(color.y) << 8U | component_of(color.z);
 }
 
@@ -44,8 +43,7 @@ RayQuery<Real> primary_ray(const Observer<Real>& observer, std::int16_t column, 
 template <class Real>
 Pixel synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int16_t column,
                  std::int16_t row) {
-  charge<Real>(Operation::loop);
-  charge<Real>(Operation::call);
+  charge<Real>(Operation::pixel);
   Pixel pixel{};
   const RayQuery<Real> primary = primary_ray(frame.database.observer, column, row);
   Sight<Real> sight;

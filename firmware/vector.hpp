@@ -52,11 +52,9 @@ template <class Real>
 Affine<Real> concatenate(const Affine<Real>& outer, const Affine<Real>& inner) {
   Affine<Real> result;
   for (int column = 0; column < 3; ++column) {
-    charge<Real>(Operation::loop);
     result[column] = transform_direction(outer, inner[column]);
   }
   result[3] = transform_point(outer, inner[3]);
-  charge<Real>(Operation::store, 12);
   return result;
 }
 

@@ -4,7 +4,7 @@
 # The program finds the rest from where it stands, wherever the whole is moved.
 install(TARGETS maquette RUNTIME DESTINATION bin COMPONENT program)
 install(TARGETS maquette_sim_picture_module LIBRARY DESTINATION lib/maquette COMPONENT program)
-install(DIRECTORY models/machines models/arithmetic DESTINATION share/maquette/models COMPONENT program
+install(DIRECTORY models/machines models/arithmetic models/program DESTINATION share/maquette/models COMPONENT program
         FILES_MATCHING PATTERN *.yaml)
 install(DIRECTORY scenes DESTINATION share/maquette COMPONENT program FILES_MATCHING PATTERN *.yaml)
 install(FILES sim/stability/exact_roots.txt DESTINATION share/maquette/stability COMPONENT program)

@@ -13,7 +13,7 @@ struct Meter {
   static constexpr void charge(Operation /*operation*/, std::uint32_t /*count*/) {}
 };
 
-/// Declares glue (loads, stores, branches, loops, calls) that the number type cannot count itself.
+/// Declares an event of the process, which the number type cannot count itself.
 template <class Real>
 constexpr void charge(Operation operation, std::uint32_t count = 1) {
   Meter<Real>::charge(operation, count);

@@ -5,11 +5,13 @@
 namespace maquette::firmware {
 
 /// What a processor does while it synthesises a pixel. Costs (clocks, bus reads and writes) are
-/// given per operation by a table of models/arithmetic/.
+/// given per class: of the arithmetic by a table of models/arithmetic/, of the events by one of
+/// models/program/, or both by pixels whose program was executed.
 ///
 /// The arithmetic classes are counted by the number type `Counted`. An operand that is zero is
 /// counted apart because software floating point takes a short cut on it (FFP sources, "zero
-/// operand" lines). The glue classes (from `load` on) are declared by the firmware with `charge`.
+/// operand" lines). The classes from `load` on are events of the process, which the firmware
+/// declares with `charge`, one line in each function that is one.
 enum class Operation : std::uint8_t {
   add,
   subtract,
@@ -28,16 +30,30 @@ enum class Operation : std::uint8_t {
   exponential,
   power,
   arc_cosine,
-  load,      ///< a 32-bit word read from the scene database
-  store,     ///< a 32-bit word written to a work area
-  branch,    ///< a decision on integers or flags
-  loop,      ///< one iteration of a loop: index, bound, branch back
-  call,      ///< one call of a firmware function and its return
-  root,      ///< one call of the function that refines a root
-  root_step  ///< one iteration: a step of Laguerre's method
+  load,         ///< a 32-bit word read from the scene database
+  pixel,        ///< a pixel of the useful zone
+  ray,          ///< a primary, reflected or refracted ray followed
+  shadow_ray,   ///< a ray towards a light source
+  node,         ///< a node of the tree visited by a ray
+  rectangle,    ///< the rectangle of an extent compared with a pixel
+  sphere,       ///< the sphere of an extent compared with a ray
+  box,          ///< the box of an extent compared with a ray
+  leaf,         ///< a leaf intersected by a ray
+  part,         ///< a part of a primitive visited: sections, patches, edges, a triangle of terrain
+  span,         ///< a span of a leaf that matters to a ray
+  combination,  ///< the crossings of two operands combined
+  crossing,     ///< a crossing that a combination takes
+  point,        ///< a visible point brought to its surface
+  light,        ///< a light source asked from a point
+  facets,       ///< the micro-facets of a surface asked
+  isolation,    ///< an interval, or a cell of a patch, searched for roots
+  root,         ///< a root refined
+  root_step     ///< a step of Laguerre's method
 };
 
 inline constexpr int k_operation_count = static_cast<int>(Operation::root_step) + 1;
+/// Of these the first are arithmetic.
+inline constexpr int k_arithmetic_count = static_cast<int>(Operation::load);
 
 /// The field's name of each operation, in the order of the enumeration: keys of cost tables and of
 /// `work` in stats.json.
@@ -59,10 +75,22 @@ inline constexpr const char* k_operation_names[k_operation_count] = {"add",
                                                                      "power",
                                                                      "arc_cosine",
                                                                      "load",
-                                                                     "store",
-                                                                     "branch",
-                                                                     "loop",
-                                                                     "call",
+                                                                     "pixel",
+                                                                     "ray",
+                                                                     "shadow_ray",
+                                                                     "node",
+                                                                     "rectangle",
+                                                                     "sphere",
+                                                                     "box",
+                                                                     "leaf",
+                                                                     "part",
+                                                                     "span",
+                                                                     "combination",
+                                                                     "crossing",
+                                                                     "point",
+                                                                     "light",
+                                                                     "facets",
+                                                                     "isolation",
                                                                      "root",
                                                                      "root_step"};
 

@@ -46,7 +46,6 @@ Polynomial<Real> polynomial_of(const ControlPolygon<Real>& polygon) {
   Polynomial<Real> polynomial;
   polynomial.degree = polygon.degree;
   for (int i = 0; i <= polygon.degree; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load);
     polynomial.terms[i] = polygon.ordinates[i] * bernstein::k_binomials<Real>[polygon.degree][i];
   }
@@ -58,7 +57,6 @@ ControlPolygon<Real> control_polygon_of(const Polynomial<Real>& polynomial) {
   ControlPolygon<Real> polygon;
   polygon.degree = polynomial.degree;
   for (int i = 0; i <= polynomial.degree; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load);
     polygon.ordinates[i] = polynomial.terms[i] / bernstein::k_binomials<Real>[polynomial.degree][i];
   }
@@ -72,7 +70,6 @@ Real value_at(const ControlPolygon<Real>& polygon, Real u) {
   ControlPolygon<Real> row = polygon;
   for (int last = polygon.degree; last > 0; --last) {
     for (int i = 0; i < last; ++i) {
-      charge<Real>(Operation::loop);
       row.ordinates[i] = rest * row.ordinates[i] + u * row.ordinates[i + 1];
     }
   }
@@ -87,7 +84,6 @@ ControlPolygon<Real> derivative(const ControlPolygon<Real>& polygon) {
   result.ordinates[0] = constant<Real>(0);
   const Real degree = from_integer<Real>(polygon.degree);
   for (int i = 0; i < polygon.degree; ++i) {
-    charge<Real>(Operation::loop);
     result.ordinates[i] = degree * (polygon.ordinates[i + 1] - polygon.ordinates[i]);
   }
   return result;
@@ -106,7 +102,6 @@ void bisect(const ControlPolygon<Real>& polygon, ControlPolygon<Real>& lower,
   lower.ordinates[0] = polygon.ordinates[0];
   for (int last = degree; last > 0; --last) {
     for (int i = 0; i < last; ++i) {
-      charge<Real>(Operation::loop);
       upper.ordinates[i] = half * upper.ordinates[i] + half * upper.ordinates[i + 1];
     }
     lower.ordinates[degree - last + 1] = upper.ordinates[0];
@@ -123,7 +118,6 @@ Polynomial<Real> product(const Polynomial<Real>& a, const Polynomial<Real>& b) {
   }
   for (int i = 0; i <= a.degree; ++i) {
     for (int j = 0; j <= b.degree; ++j) {
-      charge<Real>(Operation::loop);
       result.terms[i + j] += a.terms[i] * b.terms[j];
     }
   }
@@ -147,8 +141,6 @@ int sign_changes(const Polynomial<Real>& polynomial) {
   int changes = 0;
   int last = 0;
   for (int i = 0; i <= polynomial.degree; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
     const int sign = sign_of(polynomial.terms[i]);
     changes += sign * last < 0 ? 1 : 0;
     last = sign != 0 ? sign : last;

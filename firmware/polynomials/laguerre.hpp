@@ -27,7 +27,6 @@ Jet<Real> jet_at(const Polynomial<Real>& polynomial, Real s) {
   const Real zero = constant<Real>(0);
   Jet<Real> jet{polynomial.terms[polynomial.degree], zero, zero};
   for (int i = polynomial.degree - 1; i >= 0; --i) {
-    charge<Real>(Operation::loop);
     jet.half_curvature = jet.half_curvature * s + jet.slope;
     jet.slope = jet.slope * s + jet.value;
     jet.value = jet.value * s + polynomial.terms[i];
@@ -40,7 +39,6 @@ template <class Real>
 bool is_rounding(const Polynomial<Real>& polynomial, Real s, Real value) {
   Real sum = absolute(polynomial.terms[polynomial.degree]);
   for (int i = polynomial.degree - 1; i >= 0; --i) {
-    charge<Real>(Operation::loop);
     sum = sum * s + absolute(polynomial.terms[i]);
   }
   return absolute(value) <= sum * from_integer<Real>(polynomial.degree) * ulps<Real>(1);
@@ -58,7 +56,6 @@ Real step_from(const Jet<Real>& jet, int degree, bool rising) {
   const Real newton = jet.value * inverse;
   const Real bend = newton * (jet.half_curvature + jet.half_curvature) * inverse;
   const Real root = square_root(larger(zero, (n - one) * (n - one - n * bend)));
-  charge<Real>(Operation::branch);
   const bool along = (jet.slope > zero) == rising;
   return n * newton / (along ? one + root : one - root);
 }
@@ -75,7 +72,6 @@ Real refined(const Polynomial<Real>& polynomial, Real tolerance, int& steps) {
   Real last_move = high;
   for (int step = 0; step < k_step_limit; ++step) {
     charge<Real>(Operation::root_step);
-    charge<Real>(Operation::branch, 4);
     ++steps;
     const Jet<Real> jet = jet_at(polynomial, s);
     const int sign = sign_of(jet.value);
@@ -116,10 +112,8 @@ Real refine_root(const Polynomial<Real>& polynomial, Real tolerance, int& steps)
   charge<Real>(Operation::root);
   Real middle = polynomial.terms[0];
   for (int i = 1; i <= degree; ++i) {
-    charge<Real>(Operation::loop);
     middle += polynomial.terms[i];
   }
-  charge<Real>(Operation::branch);
   if (sign_of(middle) * sign_of(polynomial.terms[0]) <= 0) {
     const Real s = laguerre::refined(polynomial, tolerance, steps);
     return s / (one + s);
@@ -128,7 +122,6 @@ Real refine_root(const Polynomial<Real>& polynomial, Real tolerance, int& steps)
   Polynomial<Real> reversed;
   reversed.degree = degree;
   for (int i = 0; i <= degree; ++i) {
-    charge<Real>(Operation::loop);
     reversed.terms[i] = polynomial.terms[degree - i];
   }
   return one / (one + laguerre::refined(reversed, tolerance, steps));

@@ -83,14 +83,12 @@ Real nearest_parameter(const Real* points, Real x, Real y) {
   Cubic<Real> apart_x = coordinate(points);
   Cubic<Real> apart_y = coordinate(points + 1);
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     apart_x.at[i] -= x;
     apart_y.at[i] -= y;
   }
   Polynomial<Real> change = times_derivative(apart_x);
   const Polynomial<Real> of_second = times_derivative(apart_y);
   for (int i = 0; i <= change.degree; ++i) {
-    charge<Real>(Operation::loop);
     change.terms[i] += of_second.terms[i];
   }
   const auto distance_squared = [&](Real u) {
@@ -102,8 +100,6 @@ Real nearest_parameter(const Real* points, Real x, Real y) {
   Real best = constant<Real>(0);
   Real least = distance_squared(best);
   for (int i = 0; i <= roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     const Real u = i < roots.count ? roots.at[i] : constant<Real>(1);
     const Real distance = distance_squared(u);
     if (distance < least) {
@@ -132,7 +128,6 @@ CurvePoint<Real> curve_point(const Real* points, Real u) {
   point.y = value_at(y, u);
   point.change_x = change_at(x, u);
   point.change_y = change_at(y, u);
-  charge<Real>(Operation::branch);
   if (sign_of(point.change_x) == 0 && sign_of(point.change_y) == 0) {
     // A cusp, or control points that fall together: the chord serves.
     point.change_x = points[6] - points[0];

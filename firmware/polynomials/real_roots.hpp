@@ -48,15 +48,12 @@ inline constexpr int k_bisection_limit = 2 * std::numeric_limits<Real>::digits;
 /// Roots closer than the ulp of the numbers at their place are not told apart.
 template <class Real>
 bool is_indivisible(const Span<Real>& span) {
-  charge<Real>(Operation::branch);
   return span.bisections >= k_bisection_limit<Real> || span.width <= span.low * ulps<Real>(1);
 }
 
 /// Where rounding makes more roots than the degree allows, two of them are left out.
 template <class Real>
 void add(RealRoots<Real>& roots, Real at) {
-  charge<Real>(Operation::branch);
-  charge<Real>(Operation::store);
   if (roots.count < roots.limit) {
     roots.at[roots.count++] = at;
   } else {
@@ -77,17 +74,14 @@ Deflated<Real> deflated(const Polynomial<Real>& polynomial) {
   int first = 0;
   int last = polynomial.degree;
   while (first <= last && sign_of(polynomial.terms[first]) == 0) {
-    charge<Real>(Operation::loop);
     ++first;
   }
   while (last >= first && sign_of(polynomial.terms[last]) == 0) {
-    charge<Real>(Operation::loop);
     --last;
   }
   Deflated<Real> result;
   result.rest.degree = last - first;
   for (int i = first; i <= last; ++i) {
-    charge<Real>(Operation::loop);
     result.rest.terms[i - first] = polynomial.terms[i];
   }
   result.root_at_low = first <= last && first > 0 && sign_of(polynomial.terms[first]) < 0;
@@ -101,7 +95,6 @@ Deflated<Real> deflated(const Polynomial<Real>& polynomial) {
 template <class Real>
 void add_between_ends(const Polynomial<Real>& polynomial, const Span<Real>& span,
                       RealRoots<Real>& roots) {
-  charge<Real>(Operation::branch);
   if (sign_of(polynomial.terms[0]) * sign_of(polynomial.terms[polynomial.degree]) < 0) {
     add(roots, span.low + span.width * refine_root(polynomial, roots.tolerance, roots.steps));
   }
@@ -111,7 +104,6 @@ void add_between_ends(const Polynomial<Real>& polynomial, const Span<Real>& span
 template <class Real>
 bool add_isolated(const Polynomial<Real>& polynomial, const Span<Real>& span,
                   RealRoots<Real>& roots) {
-  charge<Real>(Operation::branch, 3);
   if (sign_of(polynomial.terms[0]) != 0 && sign_of(polynomial.terms[polynomial.degree]) != 0) {
     if (sign_changes(polynomial) > 1 && !is_indivisible(span)) {
       return false;
@@ -120,7 +112,6 @@ bool add_isolated(const Polynomial<Real>& polynomial, const Span<Real>& span,
     return true;
   }
   const Deflated<Real> inner = deflated(polynomial);
-  charge<Real>(Operation::branch, 4);
   if (inner.rest.degree < 0) {
     return true;
   }
@@ -140,7 +131,7 @@ bool add_isolated(const Polynomial<Real>& polynomial, const Span<Real>& span,
 /// Adds the roots of a curve of which `polynomial_of` makes a polynomial and which `bisect` halves.
 template <class Real, class Curve>
 void isolate(const Curve& curve, const Span<Real>& span, RealRoots<Real>& roots) {
-  charge<Real>(Operation::call);
+  charge<Real>(Operation::isolation);
   if (add_isolated(polynomial_of(curve), span, roots)) {
     return;
   }
@@ -170,7 +161,6 @@ template <class Real>
 RealRoots<Real> roots_of(const Polynomial<Real>& polynomial, Real tolerance = ulps<Real>(1)) {
   RealRoots<Real> roots = real_roots::none_of<Real>(polynomial.degree, tolerance);
   const real_roots::Span<Real> whole{constant<Real>(0), constant<Real>(1), 0};
-  charge<Real>(Operation::call);
   if (!real_roots::add_isolated(polynomial, whole, roots)) {
     real_roots::isolate(control_polygon_of(polynomial), whole, roots);
   }

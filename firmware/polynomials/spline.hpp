@@ -22,8 +22,6 @@ void write_bezier_points(const Real* control, int control_points, int sections, 
   };
   for (int i = 0; i <= sections; ++i) {
     for (int k = 0; k < 2; ++k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::store, 3);
       const Real before = at(i, k);
       const Real middle = at(i + 1, k);
       const Real after = at(i + 2, k);

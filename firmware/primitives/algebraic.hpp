@@ -27,7 +27,6 @@ inline constexpr double k_singular_step_squared = 256;
 template <class Real>
 bool clip_cube(Interval<Real>& interval, const Ray<Real>& ray) {
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::loop);
     if (!clip_slab(interval, ray.origin[axis], ray.direction[axis],
                    static_cast<std::uint8_t>(k_first_plane + 2 * axis)) ||
         !(interval.in < interval.out)) {
@@ -51,14 +50,10 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const RealRoots<Real> roots = roots_of(along);
   const Real width = interval.out - interval.in;
   int count = 0;
-  charge<Real>(Operation::branch, 2);
-  charge<Real>(Operation::store, 4);
   if (sign_of(along.terms[0]) < 0) {
     hits[count++] = {interval.in, interval.in_face};
   }
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::store, 2);
     hits[count++] = {smaller(interval.in + width * roots.at[i], interval.out), k_surface};
   }
   if (sign_of(along.terms[along.degree]) < 0) {
@@ -82,7 +77,6 @@ Vector<Real> into_cube(const Vector<Real>& point) {
   const Real one = constant<Real>(1);
   Vector<Real> result;
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::loop);
     result[axis] = larger(-one, smaller(point[axis], one));
   }
   return result;
@@ -95,8 +89,6 @@ Vector<Real> singular_normal(const Vector<Real>& point, const Real* parameters) 
   Vector<Real> best = axis_direction<Real>(0);
   Real greatest = -far_away<Real>();
   for (int plane = 0; plane < 6; ++plane) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     const Vector<Real> direction = axis_direction<Real>(plane);
     const Vector<Real> beside = point + direction * step;
     const Real value = jet_at(parameters, beside).value;
@@ -114,7 +106,6 @@ template <class Real>
 FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const Real zero = constant<Real>(0);
   Vector<Real> settled = into_cube(point);
-  charge<Real>(Operation::branch, 2);
   if (face != k_surface) {
     const Vector<Real> outward = axis_direction<Real>(face - k_first_plane);
     const int axis = (face - k_first_plane) / 2;
@@ -123,8 +114,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   }
   Jet<Real> jet = jet_at(parameters, settled);
   for (int step = 0; step < k_settle_steps; ++step) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
     const Real steepness = glm::dot(jet.gradient, jet.gradient);
     if (!(steepness > zero)) {
       break;

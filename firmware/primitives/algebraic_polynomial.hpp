@@ -35,7 +35,6 @@ typename Arithmetic::Value horner(const Real* parameters, const Arithmetic& arit
     for (int j = degree - k; j >= 0; --j) {
       Value row = arithmetic.zero();
       for (int i = degree - k - j; i >= 0; --i) {
-        charge<Real>(Operation::loop);
         charge<Real>(Operation::load);
         arithmetic.multiply(row, 0);
         arithmetic.add(row, *coefficient++);
@@ -71,21 +70,18 @@ struct ChordArithmetic {
   /// By the coordinate low (1 - u) + high u.
   void multiply(Value& value, int axis) const {
     const int degree = ++value.polynomial.degree;
-    charge<Real>(Operation::branch);
     if (value.is_zero) {
       return;
     }
     Real* terms = value.polynomial.terms;
     terms[degree] = terms[degree - 1] * high[axis];
     for (int i = degree - 1; i > 0; --i) {
-      charge<Real>(Operation::loop);
       terms[i] = terms[i] * low[axis] + terms[i - 1] * high[axis];
     }
     terms[0] = terms[0] * low[axis];
   }
 
   void add(Value& value, Real coefficient) const {
-    charge<Real>(Operation::branch);
     if (sign_of(coefficient) == 0) {
       return;
     }
@@ -94,7 +90,6 @@ struct ChordArithmetic {
   }
 
   void add(Value& value, const Value& other) const {
-    charge<Real>(Operation::branch);
     if (!other.is_zero) {
       add_terms(value, [&](int i) { return other.polynomial.terms[i]; });
     }
@@ -103,9 +98,7 @@ struct ChordArithmetic {
  private:
   template <class Terms>
   static void add_terms(Value& value, const Terms& terms) {
-    charge<Real>(Operation::branch);
     for (int i = 0; i <= value.polynomial.degree; ++i) {
-      charge<Real>(Operation::loop);
       Real& term = value.polynomial.terms[i];
       term = value.is_zero ? terms(i) : term + terms(i);
     }
@@ -117,9 +110,7 @@ struct ChordArithmetic {
 template <class Real>
 Polynomial<Real> along_chord(const Real* parameters, const Vector<Real>& low,
                              const Vector<Real>& high) {
-  charge<Real>(Operation::call);
   auto value = horner(parameters, ChordArithmetic<Real>{low, high});
-  charge<Real>(Operation::branch);
   if (value.is_zero) {
     value.polynomial.degree = 0;
     value.polynomial.terms[0] = constant<Real>(0);
@@ -158,7 +149,6 @@ struct JetArithmetic {
 
 template <class Real>
 Jet<Real> jet_at(const Real* parameters, const Vector<Real>& point) {
-  charge<Real>(Operation::call);
   return horner(parameters, JetArithmetic<Real>{point});
 }
 

@@ -9,7 +9,6 @@ template <class Real>
 int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits) {
   Interval<Real> interval = whole_ray<Real>();
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::loop);
     if (!clip_slab(interval, ray.origin[axis], ray.direction[axis],
                    static_cast<std::uint8_t>(2 * axis)) ||
         !(interval.in < interval.out)) {
@@ -25,7 +24,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   const Real one = constant<Real>(1);
   FacePoint<Real> settled{point, {zero, zero, zero}};
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::loop);
     settled.position[axis] = larger(-one, smaller(point[axis], one));
   }
   const Real side = (face % 2) == 0 ? one : -one;

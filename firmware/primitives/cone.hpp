@@ -28,7 +28,6 @@ SideEquation<Real> side_equation(const Ray<Real>& ray, Real slab_entry) {
   const Real along = d.z * d.z;
   SideEquation<Real> equation;
   equation.a = across - along;
-  charge<Real>(Operation::branch);
   const bool steep = equation.a < zero;
   equation.base = steep ? slab_entry : -(o.x * d.x + o.y * d.y) / across;
   const Vector<Real> p = o + d * equation.base;
@@ -49,7 +48,6 @@ SideEquation<Real> side_equation(const Ray<Real>& ray, Real slab_entry) {
 template <class Real>
 bool clip_side(Interval<Real>& interval, const SideEquation<Real>& equation, bool upwards) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 3);
   const bool steep = equation.a < zero;
   if (!(equation.discriminant > zero) && !steep) {
     return false;
@@ -103,7 +101,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const Real top = parameters[0];
-  charge<Real>(Operation::branch, 3);
   if (face != k_side) {
     return {{point.x, point.y, face == 0 ? one : top},
             {zero, zero, face == 0 ? one : constant<Real>(-1)}};

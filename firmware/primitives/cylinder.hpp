@@ -19,7 +19,6 @@ int intersect(const Ray<Real>& ray, const Real* /*parameters*/, Hit<Real>* hits)
     return 0;
   }
   const Real across = d.x * d.x + d.y * d.y;
-  charge<Real>(Operation::branch);
   if (across > zero) {
     const Real inverse = one / across;
     const Real middle = -(o.x * d.x + o.y * d.y) * inverse;
@@ -42,7 +41,6 @@ template <class Real>
 FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* /*parameters*/) {
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch, 2);
   if (face != k_side) {
     const Real end = face == 0 ? one : -one;
     return {{point.x, point.y, end}, {zero, zero, end}};

@@ -19,7 +19,6 @@ void write_extents(const Real* points, int sections, Real* extents) {
   own[0] = own[1] = points[1];
   own[2] = own[3] = points[0];
   for (int i = 1; i <= 3 * sections; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 2);
     const Real* point = points + i * k_point_reals;
     own[0] = smaller(own[0], point[1]);
@@ -27,7 +26,6 @@ void write_extents(const Real* points, int sections, Real* extents) {
     own[2] = smaller(own[2], point[0]);
     own[3] = larger(own[3], point[0]);
   }
-  charge<Real>(Operation::store, 4);
   if (sections > 1) {
     const int half = sections / 2;
     write_extents(points, half, extents + k_extent_reals);

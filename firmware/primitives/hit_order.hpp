@@ -10,10 +10,7 @@ void sort(Hit<Real>* hits, int count) {
   for (int i = 1; i < count; ++i) {
     const Hit<Real> hit = hits[i];
     int k = i;
-    charge<Real>(Operation::loop);
     for (; k > 0 && hit.distance < hits[k - 1].distance; --k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::store, 2);
       hits[k] = hits[k - 1];
     }
     hits[k] = hit;

@@ -42,7 +42,6 @@ template <class Real>
 bool clip_above(Interval<Real>& interval, Real origin, Real direction, Real limit,
                 std::uint8_t face) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 2);
   if (direction > zero) {
     leave_at(interval, (limit - origin) / direction, face);
   } else if (direction < zero) {
@@ -60,7 +59,6 @@ bool clip_slab(Interval<Real>& interval, Real origin, Real direction, std::uint8
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const auto lower_face = static_cast<std::uint8_t>(face + 1);
-  charge<Real>(Operation::branch, 2);
   if (direction > zero) {
     const Real inverse = one / direction;
     enter_at(interval, (-one - origin) * inverse, lower_face);
@@ -81,7 +79,6 @@ int hits_of(const Interval<Real>& interval, Hit<Real>* hits) {
   if (!(interval.in < interval.out)) {
     return 0;
   }
-  charge<Real>(Operation::store, 4);
   hits[0] = {interval.in, interval.in_face};
   hits[1] = {interval.out, interval.out_face};
   return 2;

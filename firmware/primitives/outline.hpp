@@ -15,7 +15,6 @@ void write_extents(const Outline<Real>& curve, int first, int edges, Real* exten
     const Real* points = curve.edge(edge);
     const int count = curve.is_line(edge) ? 2 : 4;
     for (int i = 0; i < count; ++i) {
-      charge<Real>(Operation::loop);
       charge<Real>(Operation::load, 2);
       own[0] = smaller(own[0], points[i * k_point_reals]);
       own[1] = larger(own[1], points[i * k_point_reals]);
@@ -23,7 +22,6 @@ void write_extents(const Outline<Real>& curve, int first, int edges, Real* exten
       own[3] = larger(own[3], points[i * k_point_reals + 1]);
     }
   }
-  charge<Real>(Operation::store, 4);
   if (edges > 1) {
     const int half = edges / 2;
     write_extents(curve, first, half, extents + k_extent_reals);
@@ -37,7 +35,6 @@ template <class Real>
 bool has_solid_on_right(const Outline<Real>& curve, int edge) {
   const Real half = constant<Real>(0.5);
   const Real* points = curve.edge(edge);
-  charge<Real>(Operation::branch);
   CurvePoint<Real> middle{half * (points[0] + points[2]), half * (points[1] + points[3]),
                           points[2] - points[0], points[3] - points[1]};
   if (!curve.is_line(edge)) {
@@ -49,8 +46,6 @@ bool has_solid_on_right(const Outline<Real>& curve, int edge) {
   sort(hits, count);
   int own = -1;
   for (int i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     if (hits[i].face == edge &&
         (own < 0 || absolute(hits[i].distance) < absolute(hits[own].distance))) {
       own = i;
@@ -67,8 +62,6 @@ void complete_parameters(Real* parameters) {
   const Outline<Real> curve = outline(parameters);
   write_extents(curve, 0, curve.edges(), parameters + k_header_reals);
   for (int edge = 0; edge < curve.edges(); ++edge) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     if (!has_solid_on_right(curve, edge)) {
       continue;
     }
@@ -76,8 +69,6 @@ void complete_parameters(Real* parameters) {
     const int last = curve.is_line(edge) ? 1 : 3;
     for (int i = 0; i < last - i; ++i) {
       for (int k = 0; k < k_point_reals; ++k) {
-        charge<Real>(Operation::loop);
-        charge<Real>(Operation::store, 2);
         Real& low = points[i * k_point_reals + k];
         Real& high = points[(last - i) * k_point_reals + k];
         const Real kept = low;

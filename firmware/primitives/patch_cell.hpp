@@ -33,7 +33,6 @@ template <class Real>
 void bisect(Cell<Real>& cell, Cell<Real>& lower, bool along_u) {
   const Real half = constant<Real>(0.5);
   bisect(cell.image, lower.image, along_u);
-  charge<Real>(Operation::branch);
   lower.u = cell.u;
   lower.v = cell.v;
   if (along_u) {
@@ -54,7 +53,6 @@ void bisect(Cell<Real>& cell, Cell<Real>& lower, bool along_u) {
 /// Whether the ray passes beside all control points of an image.
 template <class Real>
 bool is_passed(const Image<Real>& image) {
-  charge<Real>(Operation::branch, 4);
   const Sides x = sides_of(image.x.at, k_net_points);
   if (!x.below || !x.above) {
     return true;
@@ -92,7 +90,6 @@ Side<Real> course(const Image<Real>& image, int step) {
   const int next = 5 - step;
   Side<Real> sum = side_of(image, 0, 3 * step);
   for (int i = 1; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     const Side<Real> side = side_of(image, i * next, i * next + 3 * step);
     sum = {sum.x + side.x, sum.y + side.y};
   }
@@ -115,8 +112,6 @@ bool spread(const Image<Real>& image, int step, const Side<Real>& across, Real t
   const int next = 5 - step;
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 3; ++k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::branch, 4);
       const int at = i * next + k * step;
       const Side<Real> difference = side_of(image, at, at + step);
       const Side<Real> side{difference.x * turn, difference.y * turn};
@@ -142,8 +137,6 @@ bool spread(const Image<Real>& image, int step, const Side<Real>& across, Real t
 template <class Real>
 bool turns_over_at_corner(const Image<Real>& image, Real turn) {
   for (int corner = 0; corner < 4; ++corner) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     const int at_u = (corner & 1) * 8 + (corner >> 1) * 3;
     const int at_v = (corner & 1) * 12 + (corner >> 1) * 2;
     const Real area = cross(side_of(image, at_u, at_u + 4), side_of(image, at_v, at_v + 1));
@@ -160,7 +153,6 @@ template <class Real>
 bool is_one_to_one(const Image<Real>& image, const Side<Real>& along_u, const Side<Real>& along_v) {
   const Real zero = constant<Real>(0);
   const Real area = cross(along_u, along_v);
-  charge<Real>(Operation::branch, 4);
   if (!(absolute(area) > zero)) {
     return false;
   }
@@ -181,14 +173,12 @@ template <class Real>
 bool is_thin(const Image<Real>& image, const Side<Real>& along_u, const Side<Real>& along_v) {
   const Real zero = constant<Real>(0);
   Side<Real> along = size_of(along_u) < size_of(along_v) ? along_v : along_u;
-  charge<Real>(Operation::branch);
   if (!(size_of(along) > zero)) {
     along = {constant<Real>(1), zero};
   }
   Real least = zero;
   Real most = zero;
   for (int i = 0; i < k_net_points; ++i) {
-    charge<Real>(Operation::loop);
     const Real aside = along.x * image.y.at[i] - along.y * image.x.at[i];
     least = i == 0 ? aside : smaller(least, aside);
     most = i == 0 ? aside : larger(most, aside);
@@ -203,7 +193,6 @@ Real way_of(const Image<Real>& image, int step) {
   const int next = 5 - step;
   Real sum = constant<Real>(0);
   for (int i = 1; i < 3; ++i) {
-    charge<Real>(Operation::loop);
     const int first = i * next;
     sum += size_of(side_of(image, first, first + 2 * step)) +
            size_of(side_of(image, first + step, first + 3 * step));
@@ -213,7 +202,6 @@ Real way_of(const Image<Real>& image, int step) {
 
 template <class Real>
 bool is_longer_along_u(const Image<Real>& image) {
-  charge<Real>(Operation::branch);
   return way_of(image, 4) > way_of(image, 1);
 }
 

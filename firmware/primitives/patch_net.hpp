@@ -33,7 +33,6 @@ void bisect_curve(Real* curve, Real* lower, std::ptrdiff_t step) {
   const Real low = half * (first + middle);
   const Real high = half * (middle + last);
   const Real joint = half * (low + high);
-  charge<Real>(Operation::store, 7);
   lower[0] = curve[0];
   lower[step] = first;
   lower[2 * step] = low;
@@ -46,11 +45,9 @@ void bisect_curve(Real* curve, Real* lower, std::ptrdiff_t step) {
 /// The lower half of a net along u or along v; the upper one takes its place.
 template <class Real>
 void bisect(Net<Real>& net, Net<Real>& lower, bool along_u) {
-  charge<Real>(Operation::branch);
   const std::ptrdiff_t step = along_u ? 4 : 1;
   const std::ptrdiff_t next = along_u ? 1 : 4;
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     bisect_curve(net.at + i * next, lower.at + i * next, step);
   }
 }
@@ -91,7 +88,6 @@ Jet<Real> jet_at(const Real* ordinates, std::ptrdiff_t step, const Basis<Real>& 
   Jet<Real> jet;
   jet.along_v = constant<Real>(0);
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 4);
     const Real* row = ordinates + 4 * step * i;
     const Real a = row[0];
@@ -114,7 +110,6 @@ Real value_at(const Real* ordinates, std::ptrdiff_t step, const Basis<Real>& u,
               const Basis<Real>& v) {
   Real value = constant<Real>(0);
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 4);
     const Real* row = ordinates + 4 * step * i;
     value += u.cubic[i] * (v.cubic[0] * row[0] + v.cubic[1] * row[step] +

@@ -19,7 +19,6 @@ PatchPoint<Real> patch_point(const Real* points, Real u, Real v, const Vector<Re
   const Basis<Real> of_v = basis_at(v);
   PatchPoint<Real> point;
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::loop);
     const Jet<Real> jet = jet_at(points + axis, k_point_reals, of_u, of_v);
     point.apart[axis] = jet.value - from[axis];
     point.along_u[axis] = jet.along_u;
@@ -54,7 +53,6 @@ void step_towards(const PatchPoint<Real>& at, Real& step_u, Real& step_v) {
   const Real u = glm::dot(at.along_u, at.apart);
   const Real v = glm::dot(at.along_v, at.apart);
   const Real determinant = uu * vv - uv * uv;
-  charge<Real>(Operation::branch, 3);
   if (determinant > uu * vv * ulps<Real>(16)) {
     const Real inverse = constant<Real>(1) / determinant;
     step_u = (uv * v - vv * u) * inverse;
@@ -79,8 +77,6 @@ void descend(const Real* points, const Vector<Real>& target, Place<Real>& place)
   Real step_v;
   step_towards(at, step_u, step_v);
   for (int step = 0; step < k_search_steps; ++step) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     const Real u = clamped(place.u + step_u);
     const Real v = clamped(place.v + step_v);
     if (larger(absolute(u - place.u), absolute(v - place.v)) <= enough) {
@@ -107,7 +103,6 @@ Place<Real> nearest_place(const Real* points, const Vector<Real>& target) {
   Place<Real> seeds[k_count];
   const Real between = constant<Real>(1.0 / k_seeds);
   for (int i = 0; i < k_count; ++i) {
-    charge<Real>(Operation::loop);
     Place<Real>& seed = seeds[i];
     seed.u = (from_integer<Real>(i / k_seeds) + constant<Real>(0.5)) * between;
     seed.v = (from_integer<Real>(i % k_seeds) + constant<Real>(0.5)) * between;
@@ -122,11 +117,8 @@ Place<Real> nearest_place(const Real* points, const Vector<Real>& target) {
   const Real tolerance = ulps<Real>(k_on_tolerance);
   Place<Real> best{};
   for (int i = 0; i < k_count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
     int nearest = i;
     for (int k = i + 1; k < k_count; ++k) {
-      charge<Real>(Operation::loop);
       if (seeds[k].distance_squared < seeds[nearest].distance_squared) {
         nearest = k;
       }
@@ -152,8 +144,6 @@ Vector<Real> normal_at(const Real* points, Real u, Real v) {
   Vector<Real> normal(zero, zero, zero);
   Real inwards = zero;
   for (int attempt = 0; attempt < 4; ++attempt) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     const Real middle = constant<Real>(0.5);
     const PatchPoint<Real> at = patch_point(points, u + (middle - u) * inwards,
                                             v + (middle - v) * inwards, {zero, zero, zero});

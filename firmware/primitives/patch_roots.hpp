@@ -59,8 +59,6 @@ bool approach(const Image<Real>& image, Root<Real>& root) {
   root.u = root.v = constant<Real>(0.5);
   Real last_move = zero;
   for (int step = 0; step < k_newton_limit; ++step) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     const Basis<Real> of_u = basis_at(root.u);
     const Basis<Real> of_v = basis_at(root.v);
     const Jet<Real> x = jet_at(image.x.at, 1, of_u, of_v);
@@ -96,8 +94,6 @@ Root<Real> root_of(Cell<Real>& cell) {
   Root<Real> root;
   Cell<Real> lower;
   for (;;) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     if (approach(cell.image, root) || cell.bisections() >= 2 * k_cell_bisection_limit<Real>) {
       root.u = cell.u + root.u * cell.width_u;
       root.v = cell.v + root.v * cell.width_v;
@@ -129,14 +125,10 @@ Real first_zero(const Real (&ordinates)[4], Real sign, bool backwards) {
   Real first = constant<Real>(2);
   for (int i = 0; i < 3; ++i) {
     const Real from = ordinates[backwards ? 3 - i : i] * sign;
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     if (!(from < zero)) {
       continue;
     }
     for (int k = i + 1; k < 4; ++k) {
-      charge<Real>(Operation::loop);
-      charge<Real>(Operation::branch);
       const Real to = ordinates[backwards ? 3 - k : k] * sign;
       if (!(to < zero)) {
         const Real way = from / (from - to);
@@ -158,7 +150,6 @@ Range<Real> range_of(const Image<Real>& image, int step, const Side<Real>& acros
   const Real margin = size_of(across) * ulps<Real>(k_thin_tolerance);
   for (int i = 0; i < 4; ++i) {
     for (int k = 0; k < 4; ++k) {
-      charge<Real>(Operation::loop);
       const int at = i * step + k * next;
       const Real aside = image.x.at[at] * across.y - image.y.at[at] * across.x;
       least[i] = k == 0 ? aside : smaller(least[i], aside);
@@ -169,7 +160,6 @@ Range<Real> range_of(const Image<Real>& image, int step, const Side<Real>& acros
   }
   Range<Real> range{zero, constant<Real>(1)};
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch, 4);
   if (most[0] < zero) {
     range.low = first_zero(most, one, false);
   } else if (least[0] > zero) {
@@ -190,8 +180,6 @@ void narrow(Cell<Real>& cell, Range<Real> range, bool along_u) {
   const Real half = constant<Real>(0.5);
   Cell<Real> lower;
   for (int i = 0; i < k_limit && (range.high <= half || range.low >= half); ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 2);
     bisect(cell, lower, along_u);
     if (range.high <= half) {
       cell = lower;
@@ -214,8 +202,6 @@ struct RootList {
 /// Where rounding makes more roots than there can be, two of them are left out.
 template <class Real>
 void add(RootList<Real>& roots, const Root<Real>& root) {
-  charge<Real>(Operation::branch);
-  charge<Real>(Operation::store, 3);
   if (roots.count < RootList<Real>::k_limit) {
     roots.at[roots.count++] = root;
   } else {
@@ -228,7 +214,6 @@ template <class Real>
 bool narrow(Cell<Real>& cell, const Side<Real>& along_u, const Side<Real>& along_v) {
   const Range<Real> of_u = range_of(cell.image, 4, along_v);
   const Range<Real> of_v = range_of(cell.image, 1, along_u);
-  charge<Real>(Operation::branch);
   if (of_u.is_empty() || of_v.is_empty()) {
     return false;
   }
@@ -253,8 +238,7 @@ template <class Real>
 [[gnu::noinline]] bool is_undecided(Cell<Real>& cell, SearchMethod::Value method,
                                     RootList<Real>& roots) {
   for (;;) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 4);
+    charge<Real>(Operation::isolation);
     if (is_passed(cell.image)) {
       return false;
     }
@@ -285,8 +269,6 @@ template <class Real>
 /// Adds the roots in a cell, which is bisected in place.
 template <class Real>
 void isolate(Cell<Real>& cell, SearchMethod::Value method, RootList<Real>& roots) {
-  charge<Real>(Operation::call, 2);
-  charge<Real>(Operation::branch);
   if (!is_undecided(cell, method, roots)) {
     return;
   }

@@ -31,11 +31,9 @@ template <class Real>
 void spline_to_bezier(Real* points) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int i = 0; i < 4; ++i) {
-      charge<Real>(Operation::loop);
       spline_to_bezier(points + axis + 4 * k_point_reals * i, k_point_reals);
     }
     for (int i = 0; i < 4; ++i) {
-      charge<Real>(Operation::loop);
       spline_to_bezier(points + axis + i * k_point_reals, 4 * k_point_reals);
     }
   }
@@ -47,7 +45,6 @@ Box<Real> box_of(const Real* points, int patches) {
   Vector<Real> low(points[0], points[1], points[2]);
   Vector<Real> high = low;
   for (int i = 1; i < patches * k_net_points; ++i) {
-    charge<Real>(Operation::loop);
     for (int axis = 0; axis < 3; ++axis) {
       const Real at = points[i * k_point_reals + axis];
       low[axis] = smaller(low[axis], at);
@@ -69,7 +66,6 @@ template <class Real>
 void order_along(Real* points, int patches, int axis) {
   for (int i = 1; i < patches; ++i) {
     for (int k = i; k > 0; --k) {
-      charge<Real>(Operation::loop);
       Real* own = points + k * k_patch_stride;
       Real* before = own - k_patch_stride;
       if (!(middle_of(own, axis) < middle_of(before, axis))) {
@@ -92,7 +88,6 @@ void write_tree(Real* points, int patches, Real* boxes) {
   const Vector<Real> center = (box.low + box.high) * constant<Real>(0.5);
   const Vector<Real> half = box.high - center;
   for (int axis = 0; axis < 3; ++axis) {
-    charge<Real>(Operation::store, 2);
     boxes[axis] = center[axis];
     boxes[3 + axis] = half[axis];
   }

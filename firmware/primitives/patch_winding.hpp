@@ -28,7 +28,6 @@ template <class Real>
 Edge<Real> edge_of(const Image<Real>& image, int first, int step) {
   Edge<Real> edge;
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     edge.x[i] = image.x.at[first + i * step];
     edge.y[i] = image.y.at[first + i * step];
   }
@@ -45,7 +44,6 @@ template <class Real>
 Sides sides_of(const Real* ordinates, int count) {
   Sides sides{false, false};
   for (int i = 0; i < count && !(sides.below && sides.above); ++i) {
-    charge<Real>(Operation::loop);
     const bool is_below = ordinates[i] < constant<Real>(0);
     sides.below |= is_below;
     sides.above |= !is_below;
@@ -58,8 +56,6 @@ Sides sides_of(const Real* ordinates, int count) {
 template <class Real>
 int crossings_of(Edge<Real>& edge, int bisections_left) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 4);
   const Sides y = sides_of(edge.y, 4);
   if (!y.below || !y.above) {
     return 0;
@@ -92,7 +88,6 @@ int edge_crossings(const Image<Real>& image, int first, int step, int bisections
 /// so many bisections along u and v.
 template <class Real>
 int winding_of(const Image<Real>& image, int along_u, int along_v) {
-  charge<Real>(Operation::call);
   return edge_crossings(image, 0, 4, along_u) + edge_crossings(image, 12, 1, along_v) -
          edge_crossings(image, 3, 4, along_u) - edge_crossings(image, 0, 1, along_v);
 }

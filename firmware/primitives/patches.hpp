@@ -72,7 +72,6 @@ PlanePair<Real> planes_of(const Ray<Real>& ray) {
   const Real x = absolute(d.x);
   const Real y = absolute(d.y);
   const Real z = absolute(d.z);
-  charge<Real>(Operation::branch, 3);
   PlanePair<Real> planes;
   planes.depth = x > y ? (x > z ? 0 : 2) : (y > z ? 1 : 2);
   planes.x = (planes.depth + 1) % 3;
@@ -93,9 +92,7 @@ template <class Real>
 Image<Real> image_of(const PlanePair<Real>& planes, const Real* points) {
   Image<Real> image;
   for (int i = 0; i < k_net_points; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 3);
-    charge<Real>(Operation::store, 2);
     const Real* point = points + i * k_point_reals;
     const Real depth = point[planes.depth];
     image.x.at[i] = point[planes.x] - planes.slope_x * depth - planes.offset_x;
@@ -110,7 +107,6 @@ template <class Real>
 bool misses(const PlanePair<Real>& planes, const Real* box) {
   const Real margin = ulps<Real>(k_box_margin);
   charge<Real>(Operation::load, 6);
-  charge<Real>(Operation::branch, 3);
   const Vector<Real>& d = planes.direction;
   const Vector<Real> way(absolute(d.x), absolute(d.y), absolute(d.z));
   const Vector<Real> apart(box[0] - planes.nearest.x, box[1] - planes.nearest.y,
@@ -132,13 +128,10 @@ struct HitList {
 template <class Real>
 void intersect_patch(const PlanePair<Real>& planes, const PatchSet<Real>& set, int number,
                      HitList<Real>& list) {
-  charge<Real>(Operation::call);
   const Real* points = set.patch(number);
   RootList<Real> roots;
   find_roots(image_of(planes, points), set.method, roots);
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     const Root<Real>& root = roots.at[i];
     const Real depth =
         value_at(points + planes.depth, k_point_reals, basis_at(root.u), basis_at(root.v));
@@ -156,8 +149,7 @@ void intersect_patch(const PlanePair<Real>& planes, const PatchSet<Real>& set, i
 template <class Real>
 void intersect_node(const PlanePair<Real>& planes, const PatchSet<Real>& set, int node, int first,
                     int patches, HitList<Real>& list) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 2);
+  charge<Real>(Operation::part);
   if (misses(planes, set.boxes + node * k_box_reals)) {
     return;
   }
@@ -176,11 +168,9 @@ template <class Real>
 int without_odd(Hit<Real>* hits, int count) {
   int odd = 0;
   while (odd < count - 1 && (hits[odd].face >= k_from_behind) == (odd % 2 == 1)) {
-    charge<Real>(Operation::loop);
     ++odd;
   }
   for (int i = odd; i + 1 < count; ++i) {
-    charge<Real>(Operation::loop);
     hits[i] = hits[i + 1];
   }
   return count - 1;
@@ -193,7 +183,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   HitList<Real> list{hits, 0};
   intersect_node(planes, set, 0, 0, set.patches, list);
   sort(hits, list.count);
-  charge<Real>(Operation::branch);
   return list.count % 2 == 0 ? list.count : without_odd(hits, list.count);
 }
 
@@ -206,7 +195,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   const Basis<Real> of_u = basis_at(place.u);
   const Basis<Real> of_v = basis_at(place.v);
   const Vector<Real> front = normal_at(points, place.u, place.v);
-  charge<Real>(Operation::branch);
   return {
       {value_at(points, k_point_reals, of_u, of_v), value_at(points + 1, k_point_reals, of_u, of_v),
        value_at(points + 2, k_point_reals, of_u, of_v)},

@@ -25,8 +25,6 @@ bool is_inside(const Outline<Real>& curve, Real x, Real y, Hit<Real>* hits) {
   const int count = cross_outline(plane_ray(x, y, constant<Real>(1), zero), curve, hits);
   bool inside = false;
   for (int i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     inside = inside != (hits[i].distance > zero);
   }
   return inside;
@@ -37,8 +35,6 @@ template <class Real>
 int clip_spans(const Interval<Real>& slab, Hit<Real>* hits, int count) {
   int written = 0;
   for (int i = 0; i < count; i += 2) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch, 3);
     Interval<Real> span{hits[i].distance, hits[i + 1].distance, hits[i].face, hits[i + 1].face};
     enter_at(span, slab.in, slab.in_face);
     leave_at(span, slab.out, slab.out_face);
@@ -52,7 +48,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Vector<Real>& o = ray.origin;
   const Vector<Real>& d = ray.direction;
   Interval<Real> slab = whole_ray<Real>();
-  charge<Real>(Operation::branch, 2);
   if (!clip_slab(slab, o.z, d.z, k_upper_end)) {
     return 0;
   }
@@ -71,7 +66,6 @@ template <class Real>
 FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
-  charge<Real>(Operation::branch);
   if (face >= k_upper_end) {
     const Real end = face == k_upper_end ? one : -one;
     return {{point.x, point.y, end}, {zero, zero, end}};

@@ -105,7 +105,6 @@ PlaneRay<Real> plane_ray(Real origin_x, Real origin_y, Real direction_x, Real di
 template <class Real>
 bool misses(const PlaneRay<Real>& ray, const PlaneExtent<Real>& extent) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 4);
   const bool rightwards = ray.x > zero;
   const bool upwards = ray.y > zero;
   const Real least =
@@ -119,7 +118,6 @@ template <class Real>
 int cross_line(const PlaneRay<Real>& ray, const Real* points, std::uint8_t face, Hit<Real>* hit) {
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 4);
-  charge<Real>(Operation::branch);
   const Real first = ray.side(points[0], points[1]);
   const Real last = ray.side(points[2], points[3]);
   if ((first < zero) == (last < zero)) {
@@ -127,7 +125,6 @@ int cross_line(const PlaneRay<Real>& ray, const Real* points, std::uint8_t face,
   }
   const Real begin = ray.way(points[0], points[1]);
   const Real end = ray.way(points[2], points[3]);
-  charge<Real>(Operation::store, 2);
   *hit = {ray.distance(begin + (end - begin) * (first / (first - last))), face};
   return 1;
 }
@@ -138,13 +135,10 @@ int cross_cubic(const PlaneRay<Real>& ray, const Real* points, std::uint8_t face
   const Cubic<Real> y = coordinate(points + 1);
   Cubic<Real> side;
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     side.at[i] = ray.side(x.at[i], y.at[i]);
   }
   const RealRoots<Real> roots = roots_of_curve<Real>(side, 3);
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::store, 2);
     const Real u = roots.at[i];
     hits[i] = {ray.distance(ray.way(value_at(x, u), value_at(y, u))), face};
   }
@@ -155,8 +149,7 @@ int cross_cubic(const PlaneRay<Real>& ray, const Real* points, std::uint8_t face
 template <class Real>
 int cross_node(const PlaneRay<Real>& ray, const Outline<Real>& curve, int node, int first,
                int edges, Hit<Real>* hits) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 2);
+  charge<Real>(Operation::part);
   if (misses(ray, curve.extent(node))) {
     return 0;
   }
@@ -181,7 +174,6 @@ int cross_outline(const PlaneRay<Real>& ray, const Outline<Real>& curve, Hit<Rea
 template <class Real>
 CurvePoint<Real> edge_point(const Outline<Real>& curve, int edge, Real x, Real y) {
   const Real* points = curve.edge(edge);
-  charge<Real>(Operation::branch);
   if (!curve.is_line(edge)) {
     return curve_point(points, nearest_parameter(points, x, y));
   }

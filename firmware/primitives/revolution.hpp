@@ -65,7 +65,6 @@ Generatrix<Real> generatrix(const Real* parameters) {
 template <class Real>
 bool misses(const AxialRay<Real>& ray, const RingExtent<Real>& extent) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 4);
   if (extent.high_r <= ray.passing) {
     return true;
   }
@@ -85,8 +84,7 @@ bool misses(const AxialRay<Real>& ray, const RingExtent<Real>& extent) {
 template <class Real>
 int intersect_node(const AxialRay<Real>& ray, const Generatrix<Real>& curve, int node, int first,
                    int sections, Hit<Real>* hits) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch);
+  charge<Real>(Operation::part);
   if (misses(ray, curve.extent(node))) {
     return 0;
   }
@@ -105,7 +103,6 @@ template <class Real>
 int intersect_disc(const AxialRay<Real>& ray, const Real* point, std::uint8_t face,
                    Hit<Real>* hit) {
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::branch, 2);
   if (ray.is_level() || !(ray.outside_by(point[0], point[1]) < constant<Real>(0))) {
     return 0;
   }
@@ -120,7 +117,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   charge<Real>(Operation::load);
   axial.root_tolerance *= parameters[k_root_tolerance];
   int count = intersect_node(axial, curve, 0, 0, curve.sections, hits);
-  charge<Real>(Operation::branch);
   if (curve.is_open) {
     count += intersect_disc(axial, curve.points, k_first_disc, hits + count);
     count += intersect_disc(axial, curve.section(curve.sections), k_last_disc, hits + count);
@@ -142,7 +138,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   const Real zero = constant<Real>(0);
   const Real one = constant<Real>(1);
   const Generatrix<Real> curve = generatrix(parameters);
-  charge<Real>(Operation::branch, 3);
   if (face >= k_first_disc) {
     // With the solid on its left the chain runs from the lower side of the solid to the upper one.
     const bool is_first = face == k_first_disc;

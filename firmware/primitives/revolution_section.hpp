@@ -54,7 +54,6 @@ AxialRay<Real> axial_ray(const Ray<Real>& ray) {
   axial.height = nearest.z;
   axial.slope = unit.z;
   axial.across = square_root(unit.x * unit.x + unit.y * unit.y);
-  charge<Real>(Operation::branch);
   if (axial.across > constant<Real>(0)) {
     const Real inverse = constant<Real>(1) / axial.across;
     const Real x = unit.x * inverse;
@@ -82,7 +81,6 @@ template <class Real>
 SectionCurve<Real> section_curve(const AxialRay<Real>& ray, const Real* points) {
   SectionCurve<Real> curve;
   for (int i = 0; i < 4; ++i) {
-    charge<Real>(Operation::loop);
     charge<Real>(Operation::load, 2);
     const Real* point = points + i * k_point_reals;
     curve.inner.at[i] = ray.inner(point[0]);
@@ -105,7 +103,6 @@ Polynomial<Real> polynomial_of(const SectionCurve<Real>& curve) {
   const Real b2 = three * b[2];
   const Real c1 = three * c[1];
   const Real c2 = three * c[2];
-  charge<Real>(Operation::store, 7);
   return {6,
           {a[0] * a[0] - b[0] * c[0], two * (a[0] * a1) - (b[0] * c1 + b1 * c[0]),
            (two * (a[0] * a2) + a1 * a1) - (b[0] * c2 + b1 * c1 + b2 * c[0]),
@@ -136,12 +133,10 @@ Real place_at(const AxialRay<Real>& ray, const SectionCurve<Real>& curve, const 
   const Real r = value_at(coordinate(points), u);
   const Real chord_squared = half_chord_squared(ray, r);
   const Real steep = ray.slope * r;
-  charge<Real>(Operation::branch);
   if (steep * steep > chord_squared * (ray.across * ray.across)) {
     return (value_at(coordinate(points + 1), u) - ray.height) / ray.slope;
   }
   const Real chord = square_root(chord_squared);
-  charge<Real>(Operation::branch);
   const Real zero = constant<Real>(0);
   const bool beyond = (value_at(curve.way, u) < zero) == (ray.slope < zero);
   return ((beyond ? chord : -chord) - ray.way) / ray.across;
@@ -154,15 +149,12 @@ int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t 
   const Cubic<Real> radius = coordinate(points);
   Cubic<Real> way = coordinate(points + 1);
   for (Real& ordinate : way.at) {
-    charge<Real>(Operation::loop);
     ordinate = ray.scaled_way(ordinate);
   }
   const RealRoots<Real> roots =
       roots_of(firmware::polynomial_of(polygon_of(way)), ray.root_tolerance);
   int count = 0;
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::branch);
     const Real u = roots.at[i];
     const Real r = value_at(radius, u);
     if (!(r > ray.passing)) {
@@ -185,15 +177,12 @@ int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t 
 template <class Real>
 int intersect_section(const AxialRay<Real>& ray, const Real* points, std::uint8_t face,
                       Hit<Real>* hits) {
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch);
   if (ray.is_level()) {
     return intersect_level(ray, points, face, hits);
   }
   const SectionCurve<Real> curve = section_curve(ray, points);
   const RealRoots<Real> roots = roots_of_curve<Real>(curve, k_section_degree, ray.root_tolerance);
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
     hits[i] = {ray.distance(place_at(ray, curve, points, roots.at[i])), face};
   }
   return roots.count;

@@ -42,18 +42,15 @@ struct Walk {
 /// 1 / change, or 0 when the change is lost in the rounding of coordinates.
 template <class Real>
 Real inverse_of(Real change) {
-  charge<Real>(Operation::branch);
   return absolute(change) > ulps<Real>(1) ? constant<Real>(1) / change : constant<Real>(0);
 }
 
 /// Takes note that from s on the ray is on a side of the surface.
 template <class Real>
 void be(Walk<Real>& walk, Side side, Real s) {
-  charge<Real>(Operation::branch, 3);
   if (side == walk.side || walk.count == k_hit_limit) {
     return;
   }
-  charge<Real>(Operation::store, 3);
   if (walk.side != Side::unknown) {
     const Real distance = smaller(walk.first + walk.length * s, walk.interval.out);
     walk.hits[walk.count++] = {distance, k_surface};
@@ -84,7 +81,6 @@ Sample<Real> sample(const Walk<Real>& walk, const Triangle<Real>& triangle, Real
 template <class Real>
 bool departs(const Triangle<Real>& triangle, const Sample<Real>& from, const Sample<Real>& to) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 2);
   if (!(from.above < zero) || !(to.above > zero)) {
     return false;
   }
@@ -99,7 +95,6 @@ template <class Real>
 void cross_triangle(Walk<Real>& walk, const Triangle<Real>& triangle, const Sample<Real>& from,
                     const Sample<Real>& to) {
   const Real zero = constant<Real>(0);
-  charge<Real>(Operation::branch, 3);
   if (walk.side == Side::unknown) {
     be(walk, from.above < zero && !departs(triangle, from, to) ? Side::below : Side::above, from.s);
   }
@@ -124,17 +119,14 @@ struct Cuts {
 
 template <class Real>
 void add_cut(Cuts<Real>& cuts, Real s, Real end) {
-  charge<Real>(Operation::branch, 2);
   if (!(s > cuts.s[0]) || !(s < end)) {
     return;
   }
   int i = cuts.count++;
   for (; s < cuts.s[i - 1]; --i) {
-    charge<Real>(Operation::loop);
     cuts.s[i] = cuts.s[i - 1];
   }
   cuts.s[i] = s;
-  charge<Real>(Operation::store);
 }
 
 template <class Real>
@@ -143,8 +135,6 @@ Cuts<Real> cuts(const Walk<Real>& walk, const Triangle<Real>& triangle, Real fro
   const std::int32_t column = triangle.is_above ? triangle.across : triangle.along;
   const std::int32_t row = triangle.is_above ? triangle.along : triangle.across;
   const std::int32_t diagonal = 2 * (column - row) + (triangle.is_above ? -1 : 1);
-  charge<Real>(Operation::branch, 3);
-  charge<Real>(Operation::store, 2);
   Cuts<Real> cuts{{from}, 1};
   const Vector<Real>& start = walk.start;
   add_cut(cuts, (from_integer<Real>(2 * column + 1) * half_cell - start.x) * walk.inverse.x, to);
@@ -160,10 +150,9 @@ Cuts<Real> cuts(const Walk<Real>& walk, const Triangle<Real>& triangle, Real fro
 template <class Real>
 void follow_over(Walk<Real>& walk, const Triangle<Real>& triangle, const Sample<Real>& from,
                  const Sample<Real>& to) {
+  charge<Real>(Operation::part);
   const Real half = constant<Real>(0.5);
   const Real thickness = walk.relief.thickness(triangle.level);
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::branch, 3);
   if (smaller(from.above, to.above) > thickness) {
     be(walk, Side::above, from.s);
     return;
@@ -180,7 +169,6 @@ void follow_over(Walk<Real>& walk, const Triangle<Real>& triangle, const Sample<
   const Cuts<Real> way = cuts(walk, triangle, from.s, to.s);
   Sample<Real> begin{};
   for (int i = 0; i < way.count; ++i) {
-    charge<Real>(Operation::loop);
     const Real inside = (way.s[i] + way.s[i + 1]) * half;
     const Triangle<Real> child = quarter(triangle, middle, cell_point(walk, triangle, inside));
     if (i == 0) {
@@ -225,7 +213,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Real zero = constant<Real>(0);
   Walk<Real> walk;
   walk.relief = relief(parameters);
-  charge<Real>(Operation::branch, 2);
   if (!clip(walk.relief, ray, walk.interval) || !(walk.interval.out > zero)) {
     return 0;
   }
@@ -238,7 +225,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   walk.side = Side::unknown;
   walk.count = 0;
   walk.hits = hits;
-  charge<Real>(Operation::store, 16);
   const Real one = constant<Real>(1);
   const Real diagonal = (walk.start.y - walk.start.x) * walk.inverse.z;
   if (diagonal > zero && diagonal < one) {
@@ -267,7 +253,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
   const Relief<Real> land = relief(parameters);
   FacePoint<Real> settled{{inside_unit(point.x), inside_unit(point.y), point.z}, {zero, zero, one}};
   Vector<Real>& on = settled.position;
-  charge<Real>(Operation::branch, 3);
   if (face == k_surface) {
     const Triangle<Real> triangle = triangle_at(land, on.x, on.y);
     on.z = height(triangle, cell_point(triangle, on.x, on.y));

@@ -99,7 +99,6 @@ struct CellPoint {
 template <class Real>
 CellPoint<Real> cell_point(const Triangle<Real>& triangle, Real x, Real y) {
   const Real cells = from_integer<Real>(1 << triangle.level);
-  charge<Real>(Operation::branch, 2);
   return {(triangle.is_above ? y : x) * cells - from_integer<Real>(triangle.along),
           (triangle.is_above ? x : y) * cells - from_integer<Real>(triangle.across)};
 }
@@ -126,8 +125,6 @@ template <class Real>
 Real midpoint(const Relief<Real>& relief, const Triangle<Real>& triangle, std::int32_t along,
               std::int32_t across, Real from, Real to) {
   constexpr double k_unit = 1.0 / (1 << 23);
-  charge<Real>(Operation::call);
-  charge<Real>(Operation::loop, 21);
   const std::int32_t shift = k_level_limit - 1 - triangle.level;
   const auto x = static_cast<std::uint32_t>(triangle.is_above ? across : along) << shift;
   const auto y = static_cast<std::uint32_t>(triangle.is_above ? along : across) << shift;
@@ -155,8 +152,6 @@ Triangle<Real> quarter(const Triangle<Real>& triangle, const Midpoints<Real>& mi
   const std::int32_t level = triangle.level + 1;
   const std::int32_t along = 2 * triangle.along;
   const std::int32_t across = 2 * triangle.across;
-  charge<Real>(Operation::branch, 3);
-  charge<Real>(Operation::store, 5);
   if (point.along < half) {
     return {level, along, across, triangle.is_above, triangle.first, middle.first, middle.diagonal};
   }
@@ -176,7 +171,6 @@ template <class Real>
 Triangle<Real> triangle_at(const Relief<Real>& relief, Real x, Real y) {
   Triangle<Real> triangle = whole(relief, x < y);
   while (triangle.level < relief.levels) {
-    charge<Real>(Operation::loop);
     triangle = quarter(triangle, midpoints(relief, triangle), cell_point(triangle, x, y));
   }
   return triangle;

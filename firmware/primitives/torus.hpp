@@ -41,7 +41,6 @@ CentralRay<Real> central_ray(const Ray<Real>& ray) {
 template <class Real>
 bool clip(Interval<Real>& interval, const CentralRay<Real>& ray, Real minor) {
   const Real rest = constant<Real>(1) - glm::dot(ray.nearest, ray.nearest);
-  charge<Real>(Operation::branch, 2);
   if (!(rest > constant<Real>(0))) {
     return false;
   }
@@ -77,9 +76,7 @@ Polynomial<Real> sum_of_products(const Quadratic<Real>& a, const Quadratic<Real>
   }
   for (int i = 0; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) {
-      charge<Real>(Operation::loop);
       charge<Real>(Operation::load, 4);
-      charge<Real>(Operation::store);
       sum.terms[i + k] += a.terms[i] * b.terms[k] + c.terms[i] * d.terms[k];
     }
   }
@@ -98,7 +95,6 @@ Polynomial<Real> along_chord(const Vector<Real>& low, const Vector<Real>& high, 
   const Quadratic<Real> z{{low.z * low.z, two * (low.z * high.z), high.z * high.z}};
   Quadratic<Real> rest = linear(r, two, two * hole);
   for (int i = 0; i < 3; ++i) {
-    charge<Real>(Operation::loop);
     rest.terms[i] += z.terms[i];
   }
   return sum_of_products(linear(r, -one, hole * hole), linear(r, -one, one), z, rest);
@@ -109,10 +105,7 @@ template <class Real>
 int hits_of_chord(const CentralRay<Real>& ray, const Polynomial<Real>& along, Real tolerance,
                   Real low, Real high, Hit<Real>* hits) {
   const RealRoots<Real> roots = roots_of(along, tolerance * ulps<Real>(1));
-  charge<Real>(Operation::call);
   for (int i = 0; i < roots.count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::store, 2);
     hits[i] = {ray.distance(smaller(low + (high - low) * roots.at[i], high)), 0};
   }
   return roots.count;
@@ -123,7 +116,6 @@ template <class Real>
 Real nearest_to_axis(const CentralRay<Real>& ray, const Interval<Real>& way) {
   const Vector<Real>& d = ray.direction;
   const Real across = d.x * d.x + d.y * d.y;
-  charge<Real>(Operation::branch, 3);
   if (!(across > constant<Real>(0))) {
     return way.out;
   }
@@ -143,9 +135,7 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Real hole = constant<Real>(1) - (minor + minor);
   const CentralRay<Real> central = central_ray(ray);
   Interval<Real> way;
-  charge<Real>(Operation::call, 2);
   charge<Real>(Operation::load, 2);
-  charge<Real>(Operation::branch, 3);
   if (!clip(way, central, minor)) {
     return 0;
   }
@@ -164,8 +154,6 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   // Where rounding makes more hits than a line has, the last two are left out.
   count = smaller(count, k_degree);
   for (int i = 0; i < count; ++i) {
-    charge<Real>(Operation::loop);
-    charge<Real>(Operation::store, 2);
     hits[i] = found[i];
   }
   return count;
@@ -180,7 +168,6 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t /*face*/, const R
   const Real major = constant<Real>(1) - minor;
   const Real radius = square_root(point.x * point.x + point.y * point.y);
   charge<Real>(Operation::load);
-  charge<Real>(Operation::branch, 2);
   const Vector<Real> aside = radius > zero ? Vector<Real>(point.x / radius, point.y / radius, zero)
                                            : Vector<Real>(constant<Real>(1), zero, zero);
   const Vector<Real> off = aside * (radius - major) + Vector<Real>(zero, zero, point.z);

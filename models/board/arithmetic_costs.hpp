@@ -21,8 +21,9 @@ struct OperationCost {
 /// or the package itself is executed (it is the project's own).
 enum class ArithmeticExecution { none, costs, package };
 
-/// One table of models/arithmetic/: the cost of every operation class, and which of them are calls
-/// of the arithmetic package (they pay the board's call overhead; in-line ones do not).
+/// The cost of every operation class, of arithmetic from a table of models/arithmetic/ and of events
+/// from one of models/program/, and which of them are calls of the arithmetic package (they pay the
+/// board's call overhead; in-line ones and events do not).
 struct ArithmeticCosts {
   std::array<OperationCost, firmware::k_operation_count> operations{};
   std::array<bool, firmware::k_operation_count> called{};

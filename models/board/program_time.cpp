@@ -6,7 +6,7 @@ namespace {
 
 constexpr std::int64_t k_milliclocks = 1'000;
 /// Of an access without wait states; off the board the bus tells how long it takes.
-constexpr std::int64_t k_access_clocks = 4;
+constexpr std::uint64_t k_access_clocks = 4;
 
 /// What a call costs is executed.
 Kvm02Parameters without_call_overhead(Kvm02Parameters parameters) {
@@ -16,20 +16,26 @@ Kvm02Parameters without_call_overhead(Kvm02Parameters parameters) {
 
 }  // namespace
 
+OperationCost ram_use(const mc68000::Account& account) {
+  const auto own = [](std::uint64_t all, std::uint64_t off_board) {
+    return static_cast<double>(all - off_board);
+  };
+  const std::uint64_t off_board = account.bus_fetches + account.bus_reads + account.bus_writes;
+  return {own(account.cycles, k_access_clocks * off_board),
+          own(account.fetches, account.bus_fetches) + own(account.reads, account.bus_reads),
+          own(account.writes, account.bus_writes)};
+}
+
 ProgramTime::ProgramTime(const Kvm02Parameters& parameters)
     : cost_(without_call_overhead(parameters)),
       read_wait_(parameters.ram_read_wait_clocks),
       write_wait_(parameters.ram_write_wait_clocks) {}
 
 Duration ProgramTime::elapsed(const mc68000::Account& account, const firmware::Work& work) {
-  const auto count = [](std::uint64_t all, std::uint64_t others) {
-    return static_cast<std::int64_t>(all - others);
-  };
-  const std::uint64_t off_board = account.bus_fetches + account.bus_reads + account.bus_writes;
-  const std::int64_t clocks = count(account.cycles, k_access_clocks * off_board) +
-                              read_wait_ * (count(account.fetches, account.bus_fetches) +
-                                            count(account.reads, account.bus_reads)) +
-                              write_wait_ * count(account.writes, account.bus_writes);
+  const OperationCost use = ram_use(account);
+  const std::int64_t clocks = static_cast<std::int64_t>(use.clocks) +
+                              read_wait_ * static_cast<std::int64_t>(use.reads) +
+                              write_wait_ * static_cast<std::int64_t>(use.writes);
   work_milliclocks_ += cost_.milliclocks(work);
   return cost_.elapsed(clocks * k_milliclocks + work_milliclocks_);
 }

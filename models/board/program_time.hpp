@@ -10,6 +10,10 @@
 
 namespace maquette::models {
 
+/// What of an account was not off the board: clocks without wait states, reads (fetches too) and
+/// writes of the RAM.
+OperationCost ram_use(const mc68000::Account& account);
+
 /// How long a board computes on its program: the clocks of the instructions with the wait states of
 /// the RAM, what the host's routines would have cost, and refresh. Accesses off the board are left
 /// out, the bus times them.

@@ -6,10 +6,10 @@
 
 namespace maquette::sim {
 
-/// How a level computes the scene: a whole simulation, with pixels that the native firmware counts
-/// (at the machine's prices, or at calibrated ones), with recorded ones, or with boards that
-/// execute their program; or the picture alone by the firmware over a number type.
-enum class LevelKind { simulation, calibrated, recorded, executed, float_picture, double_picture };
+/// How a level computes the scene: a whole simulation, with pixels that the native firmware counts,
+/// with recorded ones, or with boards that execute their program; or the picture alone by the
+/// firmware over a number type.
+enum class LevelKind { simulation, recorded, executed, float_picture, double_picture };
 
 /// One way of computing a scene.
 struct Level {

@@ -7,7 +7,8 @@ namespace maquette::sim {
 Ladder processor_ladder(int share) {
   const bool is_sampled = share > 1;
   std::string executed = "instruction";
-  std::string varies = "how the boards' pixels and their time are computed (run --processor)";
+  std::string varies =
+      "how the boards' pixels and their time are computed (run --processor, board.costs)";
   if (is_sampled) {
     executed += fmt::format(" 1/{}", share);
     varies += fmt::format(
@@ -19,8 +20,8 @@ Ladder processor_ladder(int share) {
           varies,
           ErrorMeasure::frame_time,
           {{executed, {}, LevelKind::executed, share},
-           {"calibrated", {}, LevelKind::calibrated, share},
-           {"counted", {}, LevelKind::simulation, share},
+           {"counted", {"board.costs=calibrated"}, LevelKind::simulation, share},
+           {"counted by tables", {"board.costs=tables"}, LevelKind::simulation, share},
            {"recorded", {}, LevelKind::recorded}},
           0};
 }

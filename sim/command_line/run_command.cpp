@@ -56,7 +56,7 @@ void add_options(CLI::App& verb, RunOptions& options) {
           "--processor", options.processor,
           "what the boards do: their work counted, a recorded frame's work replayed, or their "
           "program executed instruction by instruction")
-      ->check(CLI::IsMember({"counted", "calibrated", "recorded", "instruction"}))
+      ->check(CLI::IsMember({"counted", "recorded", "instruction"}))
       ->capture_default_str();
   verb.add_option("--record", options.record,
                   "OpenEXR file for the work of every pixel: written by --processor counted, "
@@ -178,8 +178,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
     request.trace = trace.window;
   }
   request.executed = options.processor == "instruction";
-  request.calibrated = options.processor == "calibrated";
-  if (request.executed || request.calibrated) {
+  if (request.executed) {
     require_execution(description.machine);
   }
   check_fit(description.scene, description.machine);
@@ -221,8 +220,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   trace_files.write(result.trace);
   write_files(directory, files);
   if (!options.quiet) {
-    fmt::print("{}\n{}\n",
-               summarise(result.statistics, result.clocks, result.times_from, host_time_s()),
+    fmt::print("{}\n{}\n", summarise(result.statistics, result.times_from, host_time_s()),
                fmt::format("written: {}", directory.string()));
   }
   return result.statistics.partial ? k_exit_interrupted : 0;

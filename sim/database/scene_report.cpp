@@ -92,7 +92,7 @@ std::string cost_table(const Machine& machine) {
                       "writes", "", "source");
   for (std::size_t i = 0; i < costs.operations.size(); ++i) {
     const models::OperationCost& cost = costs.operations[i];
-    const CostSource& source = machine.arithmetic_sources[i];
+    const CostSource& source = machine.cost_sources[i];
     text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
                         firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
                         costs.called[i] ? "called" : "in line", mark_of(source.mark), source.text);

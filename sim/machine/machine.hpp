@@ -20,12 +20,19 @@ struct CostSource {
   ConfidenceMark mark = ConfidenceMark::inferred;
 };
 
-/// A checked machine description (models/machines/*.yaml with its table of models/arithmetic/).
+/// What counted work costs: what a sample of pixels took whose program was executed, where boards
+/// can execute it, or what the tables say.
+enum class CostOrigin { calibrated, tables };
+
+/// A checked machine description (models/machines/*.yaml with its tables of models/arithmetic/ and
+/// models/program/).
 struct Machine {
   std::string name;
   models::MachineParameters parameters;  ///< boards are placed
   std::string arithmetic_name;
-  std::array<CostSource, firmware::k_operation_count> arithmetic_sources;
+  std::string program_name;
+  CostOrigin cost_origin = CostOrigin::calibrated;
+  std::array<CostSource, firmware::k_operation_count> cost_sources;
   std::int64_t stack_bytes = 16384;    ///< reserved in a board's RAM
   int crossing_capacity = 1024;        ///< of the work area for ray crossings
   int ray_capacity = 32;               ///< of the work area for rays that wait

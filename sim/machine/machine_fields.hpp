@@ -4,8 +4,8 @@
 #include "models/bus/bus_levels.hpp"
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
-#include "sim/machine/arithmetic_fields.hpp"
 #include "sim/machine/board_places.hpp"
+#include "sim/machine/cost_fields.hpp"
 #include "sim/machine/machine.hpp"
 
 /// Every parameter of a machine, declared once. Marks of the figures: [R] read in the source named,
@@ -111,11 +111,21 @@ void declare_board(Visitor& visitor, Machine& machine) {
   declare_board_memory(visitor, board);
   visitor.group({"call_overhead", "added to every call of the arithmetic package"}, [&] {
     declare_cost(visitor, board.call_overhead,
-                 "MC68000 instruction times: JSR 20(3/2), one operand 16(4/0), result 16(2/2) [I]",
+                 "the board's program, executed: operands, JSR, result; tools/program_costs [M]",
                  false);
   });
-  visitor.group(required("arithmetic", "cost of every operation"),
+  visitor.group(required("arithmetic", "cost of every operation of arithmetic"),
                 [&] { declare_arithmetic(visitor, machine); });
+  visitor.group(required("program", "cost of every event of the process"),
+                [&] { declare_program(visitor, machine); });
+  visitor.field(
+      {"costs",
+       "of counted work: told from pixels whose program is executed, where the boards can execute "
+       "it, or the tables'",
+       "choice of the simulation [I]"},
+      machine.cost_origin,
+      ChoiceType<CostOrigin>{
+          {{"calibrated", CostOrigin::calibrated}, {"tables", CostOrigin::tables}}});
   declare_board_bus(visitor, board);
   declare_board_database(visitor, board);
   declare_board_areas(visitor, machine);

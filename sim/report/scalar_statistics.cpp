@@ -58,9 +58,10 @@ class Lister {
     }
   }
 
-  void list(const ScalarStatistic& declared, const OperationCounts& counts) {
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      add(declared, std::string{"."} + firmware::k_operation_names[i], text_of(counts[i]));
+  template <typename Number>
+  void list(const ScalarStatistic& declared, const PerOperation<Number>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      add(declared, std::string{"."} + firmware::k_operation_names[i], text_of(numbers[i]));
     }
   }
 

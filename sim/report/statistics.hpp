@@ -40,8 +40,11 @@ void for_each_field(Action&& action) {
   std::apply([&action](const auto&... fields) { (action(fields), ...); }, Owner::fields());
 }
 
-/// Counts per operation class, keyed by firmware::k_operation_names.
-using OperationCounts = std::array<std::uint64_t, firmware::k_operation_count>;
+/// A number per operation class, keyed by firmware::k_operation_names.
+template <typename Number>
+using PerOperation = std::array<Number, firmware::k_operation_count>;
+using OperationCounts = PerOperation<std::uint64_t>;
+using OperationClocks = PerOperation<double>;
 
 struct FrameStatistics {
   int width = 0;
@@ -287,6 +290,29 @@ struct RootStatistics {
   }
 };
 
+/// What counted work costs, and where that is from.
+struct CostStatistics {
+  std::string from = "tables";
+  int pixels = 0;
+  double sum_error = 0;
+  double typical_error = 0;
+  OperationClocks clocks{};
+
+  static constexpr auto fields() {
+    using Self = CostStatistics;
+    return std::make_tuple(
+        field("from", "", "calibration: executed pixels; tables; execution: of the whole program",
+              &Self::from),
+        field("pixels", "pixels", "executed for the calibration", &Self::pixels),
+        field("sum_error", "1", "of their counted clocks together, over the executed ones",
+              &Self::sum_error),
+        field("typical_error", "1", "of one of them: root of the mean square, over the mean",
+              &Self::typical_error),
+        field("clocks", "clocks", "of the processor, RAM's wait states included, per class",
+              &Self::clocks));
+  }
+};
+
 /// All that a run determines: equal inputs give equal statistics, on any host.
 struct Statistics {
   FrameStatistics frame;
@@ -297,6 +323,7 @@ struct Statistics {
   RootStatistics roots;
   OperationCounts work{};
   OperationCounts preprocess_work{};
+  CostStatistics costs;
   bool partial = false;
   std::string end_reason;
 
@@ -310,6 +337,7 @@ struct Statistics {
         field("work", "operations", "of all pixels, per operation class", &Self::work),
         field("preprocess_work", "operations", "of each board, per operation class",
               &Self::preprocess_work),
+        field("costs", "", "", &Self::costs),
         field("partial", "", "whether the run ended before its last pixel", &Self::partial),
         field("end_reason", "", "why the run ended", &Self::end_reason));
   }

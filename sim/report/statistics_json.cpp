@@ -37,11 +37,12 @@ class Writer {
     text += fmt::format("{}", value);
   }
 
-  void write(const OperationCounts& counts) {
+  template <typename Number>
+  void write(const PerOperation<Number>& numbers) {
     open('{');
-    for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
       key(firmware::k_operation_names[i]);
-      write(counts[i]);
+      write(numbers[i]);
     }
     close('}');
   }
@@ -135,9 +136,10 @@ class Reader {
     }
   }
 
-  void read(const std::string& path, OperationCounts& counts) {
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-      read(joined(path, firmware::k_operation_names[i]), counts[i]);
+  template <typename Number>
+  void read(const std::string& path, PerOperation<Number>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      read(joined(path, firmware::k_operation_names[i]), numbers[i]);
     }
   }
 

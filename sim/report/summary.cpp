@@ -97,6 +97,15 @@ std::string ray_lines(const Statistics& statistics) {
   return text;
 }
 
+/// Clocks of all that was done of each class.
+OperationClocks clocks_of(const Statistics& statistics) {
+  OperationClocks clocks{};
+  for (std::size_t i = 0; i < clocks.size(); ++i) {
+    clocks[i] = static_cast<double>(statistics.work[i]) * statistics.costs.clocks[i];
+  }
+  return clocks;
+}
+
 std::string work_lines(const OperationCounts& work, const OperationClocks& clocks) {
   std::vector<std::size_t> order(work.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -120,11 +129,11 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
 
 }  // namespace
 
-std::string summarise(const Statistics& statistics, const OperationClocks& clocks,
-                      const std::string& times_from, double host_time_s) {
+std::string summarise(const Statistics& statistics, const std::string& times_from,
+                      double host_time_s) {
   return frame_lines(statistics) + fmt::format("times           from {}\n", times_from) +
          board_lines(statistics) + bus_lines(statistics.bus) + ray_lines(statistics) +
-         work_lines(statistics.work, clocks) +
+         work_lines(statistics.work, clocks_of(statistics)) +
          fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
                      host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));
 }

@@ -1,71 +1,54 @@
 #include "sim/run/calibration.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <cmath>
 
-#include "models/board/work_cost.hpp"
-#include "sim/database/prepared_scene.hpp"
-#include "sim/run/counted_pixel.hpp"
-#include "sim/run/executed_pixels.hpp"
+#include "sim/run/execution_check.hpp"
+#include "sim/run/program_samples.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
-/// Pixels that are executed for a frame; a few more than the classes of operations, times thirty.
-constexpr std::int64_t k_wanted_pixels = 780;
+using models::OperationCost;
 
-/// The table's own prices, calls of the package without overhead.
-Prices table_prices(const Machine& machine) {
-  models::Kvm02Parameters board = machine.parameters.board;
-  board.call_overhead = {};
-  const models::WorkCost table(board);
-  Prices prices{};
-  for (std::size_t i = 0; i < prices.size(); ++i) {
-    prices[i] = static_cast<double>(table.milliclocks(static_cast<firmware::Operation>(i)));
+OperationCost operator+(const OperationCost& a, const OperationCost& b) {
+  return {a.clocks + b.clocks, a.reads + b.reads, a.writes + b.writes};
+}
+
+/// Whether the host executes an operation, which then costs what the machine's table says, besides
+/// what the program takes around the call.
+bool is_priced(const models::ArithmeticCosts& arithmetic, std::size_t operation) {
+  return arithmetic.execution == models::ArithmeticExecution::costs && arithmetic.called[operation];
+}
+
+/// What the tables say of the program's part.
+OperationCosts table_costs(const models::Kvm02Parameters& board) {
+  OperationCosts costs{};
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    const OperationCost own =
+        is_priced(board.arithmetic, i) ? OperationCost{} : board.arithmetic.operations[i];
+    costs[i] = own + (board.arithmetic.called[i] ? board.call_overhead : OperationCost{});
   }
-  return prices;
+  return costs;
 }
 
-firmware::Work counted(const PreparedScene<firmware::Counted>& scene,
-                       SynthesisArea<firmware::Counted>& area,
-                       const models::PixelPosition& position) {
-  firmware::reset_counted_work();
-  firmware::synthesize(scene.frame(), area.view(), static_cast<std::int16_t>(position.column),
-                       static_cast<std::int16_t>(position.row));
-  return firmware::counted_work();
+/// A word of the database is read, whatever else the program does on the occasion.
+OperationCosts least_costs() {
+  OperationCosts costs{};
+  costs[static_cast<std::size_t>(firmware::Operation::load)] =
+      models::Kvm02Parameters{}.database_read;
+  return costs;
 }
 
-/// How long a thousandth of a clock lasts, refresh included, in picoseconds.
-double milliclock_ps(const Machine& machine) {
-  constexpr std::int64_t k_many = 1'000'000'000'000;
-  const models::WorkCost cost(machine.parameters.board);
-  return static_cast<double>(cost.elapsed(k_many).count()) / static_cast<double>(k_many);
-}
-
-std::vector<PricedWork> samples_of(const Scene& scene, const Machine& machine) {
-  const PreparedScene<firmware::Counted> prepared(
-      packed_scene<firmware::Counted>(scene, picture_format_of(machine)));
-  SynthesisArea<firmware::Counted> area(prepared.frame().database);
-  const std::int64_t share = useful_zone_of(prepared.frame()).pixels() / k_wanted_pixels;
-  const double milliclock = milliclock_ps(machine);
-  std::vector<PricedWork> samples;
-  execute_pixels(scene, machine, static_cast<int>(std::max<std::int64_t>(1, share)),
-                 [&](const ExecutedPixel& pixel) {
-                   samples.push_back({counted(prepared, area, pixel.position),
-                                      static_cast<double>(pixel.time.count()) / milliclock});
-                   return true;
-                 });
-  return samples;
-}
-
-void judge(const std::vector<PricedWork>& samples, Calibration& calibration) {
+void judge(const std::vector<CostSample>& samples, Calibration& calibration) {
   double sum = 0;
   double difference = 0;
   double squares = 0;
-  for (const PricedWork& sample : samples) {
-    const double error = cost(sample.work, calibration.milliclocks) - sample.milliclocks;
-    sum += sample.milliclocks;
+  for (const CostSample& sample : samples) {
+    const double error = cost_of(sample.work, calibration.costs).clocks - sample.taken.clocks;
+    sum += sample.taken.clocks;
     difference += error;
     squares += error * error;
   }
@@ -77,24 +60,45 @@ void judge(const std::vector<PricedWork>& samples, Calibration& calibration) {
 
 }  // namespace
 
+bool is_calibrated(const Machine& machine) {
+  switch (machine.cost_origin) {
+    case CostOrigin::calibrated:
+      return !obstacle_to_execution(trial_machine(machine)).has_value();
+    case CostOrigin::tables:
+      break;
+  }
+  return false;
+}
+
+std::string calibration_key(const Machine& machine) {
+  const models::Kvm02Parameters& board = machine.parameters.board;
+  std::string key = fmt::format("{}", static_cast<int>(board.arithmetic.execution));
+  const OperationCosts costs = table_costs(board);
+  for (std::size_t i = 0; i < costs.size(); ++i) {
+    key += fmt::format(" {} {} {} {}", costs[i].clocks, costs[i].reads, costs[i].writes,
+                       is_priced(board.arithmetic, i));
+  }
+  return key;
+}
+
 Calibration calibrate(const Scene& scene, const Machine& machine) {
-  const Prices table = table_prices(machine);
-  const std::vector<PricedWork> samples = samples_of(scene, machine);
-  Calibration calibration{};
-  calibration.milliclocks = fitted_prices(samples, table);
+  const std::vector<CostSample> samples = program_samples(scene, machine);
+  Calibration calibration;
+  calibration.costs = fitted_costs(samples, table_costs(machine.parameters.board), least_costs());
   judge(samples, calibration);
   return calibration;
 }
 
-Machine with_prices(const Machine& machine, const Prices& milliclocks) {
-  constexpr double k_milli = 1e3;
-  Machine priced = machine;
-  models::ArithmeticCosts& costs = priced.parameters.board.arithmetic;
-  for (std::size_t i = 0; i < milliclocks.size(); ++i) {
-    costs.operations[i] = {milliclocks[i] / k_milli, 0, 0};
+Machine with_costs(const Machine& machine, const Calibration& calibration) {
+  Machine calibrated = machine;
+  models::ArithmeticCosts& costs = calibrated.parameters.board.arithmetic;
+  for (std::size_t i = 0; i < calibration.costs.size(); ++i) {
+    costs.operations[i] = is_priced(machine.parameters.board.arithmetic, i)
+                              ? costs.operations[i] + calibration.costs[i]
+                              : calibration.costs[i];
     costs.called[i] = false;
   }
-  return priced;
+  return calibrated;
 }
 
 }  // namespace maquette::sim

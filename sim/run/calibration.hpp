@@ -1,25 +1,36 @@
 #pragma once
 
+#include <string>
+
 #include "sim/machine/machine.hpp"
-#include "sim/run/price_fit.hpp"
+#include "sim/run/cost_fit.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
 
-/// Prices of the firmware's counts for one scene on one machine, told from pixels that the board's
-/// program was executed for.
+/// What the boards' program takes for each class of what the firmware counts, told from pixels of
+/// one scene that it was executed for. Depends on the scene, the format of the picture, how the
+/// machine's arithmetic is executed, and, for what none of the pixels does, its tables; neither on
+/// clocks and wait states nor on the bus.
 struct Calibration {
-  Prices milliclocks;    ///< with the RAM's wait states and all that a call costs
-  int pixels;            ///< executed
-  double sum_error;      ///< of their counted time together, as a part
-  double typical_error;  ///< of the time of one, as a part: root of the mean square over the mean
+  OperationCosts costs{};    ///< without what a cost table says of arithmetic that it prices
+  int pixels = 0;            ///< executed
+  double sum_error = 0;      ///< of their counted clocks together, as a part
+  double typical_error = 0;  ///< of the clocks of one: root of the mean square over the mean
 };
 
-/// Executes some hundreds of pixels, spread over the useful zone, and fits the prices to them.
+/// Whether the counted work of a machine costs what executed pixels tell: its description leaves it
+/// to them, and its boards can execute their program.
+bool is_calibrated(const Machine& machine);
+
+/// What calibrations are told apart by, besides the scene and the format of the picture.
+std::string calibration_key(const Machine& machine);
+
+/// Executes some hundreds of pixels, spread over the useful zone, and fits the costs to them.
 /// Throws DescriptionError for machines whose boards can not execute the program.
 Calibration calibrate(const Scene& scene, const Machine& machine);
 
-/// The machine with these prices in place of its cost table and its call overhead.
-Machine with_prices(const Machine& machine, const Prices& milliclocks);
+/// The machine with these costs in place of its program's table and its call overhead.
+Machine with_costs(const Machine& machine, const Calibration& calibration);
 
 }  // namespace maquette::sim

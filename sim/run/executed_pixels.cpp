@@ -36,6 +36,10 @@ BoardRoom roomy(const Machine& machine, const firmware::BoardOrder& order) {
   return room;
 }
 
+models::OperationCost operator-(const models::OperationCost& a, const models::OperationCost& b) {
+  return {a.clocks - b.clocks, a.reads - b.reads, a.writes - b.writes};
+}
+
 /// Follows a program from pixel to pixel.
 class PixelFollower {
  public:
@@ -48,9 +52,10 @@ class PixelFollower {
     switch (event.kind) {
       case ProgramEvent::Kind::synthesis:
         last_ = elapsed;
+        last_use_ = models::ram_use(event.account);
         return true;
       case ProgramEvent::Kind::access:
-        return follow_write(event.request, elapsed);
+        return follow_write(event, elapsed);
       case ProgramEvent::Kind::end:
         break;
     }
@@ -63,7 +68,8 @@ class PixelFollower {
 
  private:
   // A pixel is written when its second word is.
-  bool follow_write(const BusRequest& request, models::Duration elapsed) {
+  bool follow_write(const ProgramEvent& event, models::Duration elapsed) {
+    const BusRequest& request = event.request;
     constexpr unsigned k_word_bits = 16;
     if (request.kind != BusRequest::Kind::write || request.address < order_.frame_memory) {
       throw std::logic_error("the program of a board does not only write pixels");
@@ -73,12 +79,15 @@ class PixelFollower {
       first_word_ = request.value;
       return true;
     }
+    const models::OperationCost use = models::ram_use(event.account);
     const std::uint32_t number = offset / models::FrameMemory::k_pixel_bytes;
     const ExecutedPixel pixel{{static_cast<int>(number % order_.frame_width),
                                static_cast<int>(number / order_.frame_width)},
                               first_word_ << k_word_bits | request.value,
-                              elapsed - last_};
+                              elapsed - last_,
+                              use - last_use_};
     last_ = elapsed;
+    last_use_ = use;
     return take_(pixel);
   }
 
@@ -86,6 +95,7 @@ class PixelFollower {
   const firmware::BoardOrder& order_;
   const PixelTaker& take_;
   models::Duration last_{};
+  models::OperationCost last_use_;
   std::uint32_t first_word_ = 0;
 };
 

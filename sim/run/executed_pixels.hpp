@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "models/board/allotment.hpp"
+#include "models/board/arithmetic_costs.hpp"
 #include "models/bus/duration.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/scene/scene.hpp"
@@ -13,8 +14,9 @@ namespace maquette::sim {
 /// A pixel as a board's program writes it.
 struct ExecutedPixel {
   models::PixelPosition position;
-  std::uint32_t bytes;    ///< as models::PixelFormat
-  models::Duration time;  ///< that its board computed since the last one
+  std::uint32_t bytes;            ///< as models::PixelFormat
+  models::Duration time;          ///< that its board computed since the last one
+  models::OperationCost program;  ///< of the same, without wait states and what the host executed
 };
 
 /// Called with each pixel; false ends the execution.

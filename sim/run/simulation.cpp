@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <systemc>
 
 #include <fmt/format.h>
@@ -15,7 +16,6 @@
 #include "sim/database/memory_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
-#include "sim/run/calibration.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/recorded_source.hpp"
@@ -75,16 +75,6 @@ void run_kernel(const models::CcettMachine& model, const models::PixelRectangle&
   }
 }
 
-OperationClocks clocks_of(const Statistics& statistics, const models::Kvm02Parameters& board) {
-  const models::WorkCost cost(board);
-  OperationClocks clocks{};
-  for (std::size_t i = 0; i < clocks.size(); ++i) {
-    const auto milliclocks = cost.milliclocks(static_cast<firmware::Operation>(i));
-    clocks[i] = static_cast<double>(statistics.work[i]) * static_cast<double>(milliclocks) / 1000;
-  }
-  return clocks;
-}
-
 void take_snapshots(const models::CcettMachine& model, const SimulationRequest& request,
                     SimulationResult& result) {
   const models::Duration start = model.statistics().load_time;
@@ -120,7 +110,8 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
 
 std::string times_from(const Machine& machine, bool executed) {
   if (!executed) {
-    return "the firmware's counted work, at the prices of " + machine.arithmetic_name;
+    return fmt::format("the firmware's counted work, at the costs of the tables {} and {}",
+                       machine.arithmetic_name, machine.program_name);
   }
   const bool whole =
       machine.parameters.board.arithmetic.execution == models::ArithmeticExecution::package;
@@ -132,9 +123,36 @@ std::string times_from(const Machine& machine, bool executed) {
 std::string times_from(const Calibration& calibration) {
   constexpr double k_percent = 100;
   return fmt::format(
-      "the firmware's counted work, at prices fitted to {} pixels of the boards' program\n"
+      "the firmware's counted work, at the costs of {} pixels whose program was executed\n"
       "                (their sum {:+.2f} %, one pixel typically {:.1f} %)",
       calibration.pixels, k_percent * calibration.sum_error, k_percent * calibration.typical_error);
+}
+
+/// What the counted work of a run costs; nothing where the machine's tables say it.
+std::optional<Calibration> calibration_of(const Scene& scene, const Machine& machine,
+                                          const SimulationRequest& request) {
+  if (request.executed || !is_calibrated(machine)) {
+    return std::nullopt;
+  }
+  return request.calibration != nullptr ? *request.calibration : calibrate(scene, machine);
+}
+
+CostStatistics cost_statistics(const Machine& machine, bool executed,
+                               const std::optional<Calibration>& calibration) {
+  CostStatistics costs;
+  costs.from = executed ? "execution" : calibration ? "calibration" : "tables";
+  if (calibration) {
+    costs.pixels = calibration->pixels;
+    costs.sum_error = calibration->sum_error;
+    costs.typical_error = calibration->typical_error;
+  }
+  constexpr double k_milli = 1e3;
+  const models::WorkCost cost(machine.parameters.board);
+  for (std::size_t i = 0; i < costs.clocks.size(); ++i) {
+    const auto operation = static_cast<firmware::Operation>(i);
+    costs.clocks[i] = static_cast<double>(cost.milliclocks(operation)) / k_milli;
+  }
+  return costs;
 }
 
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
@@ -155,8 +173,6 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   }
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
-  result.clocks = clocks_of(result.statistics, machine.parameters.board);
-  result.times_from = times_from(machine, setup.program.has_value());
   if (request.picture) {
     result.picture = model.frame_memory().picture();
     result.depths = depths_of(model.frame_memory(), picture_format_of(machine));
@@ -195,13 +211,12 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
     const Machine roomy = with_room(machine, map);
-    if (!request.calibrated) {
-      return simulate_prepared(roomy, request, *pixels.source, setup, go_on);
-    }
-    const Calibration calibration = calibrate(scene, roomy);
-    SimulationResult result = simulate_prepared(with_prices(roomy, calibration.milliclocks),
-                                                request, *pixels.source, setup, go_on);
-    result.times_from = times_from(calibration);
+    const std::optional<Calibration> calibration = calibration_of(scene, roomy, request);
+    const Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
+    SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);
+    result.statistics.costs = cost_statistics(priced, request.executed, calibration);
+    result.times_from =
+        calibration ? times_from(*calibration) : times_from(machine, request.executed);
     return result;
   } catch (const std::invalid_argument& error) {
     throw DescriptionError(std::string("these parameters make no machine: ") + error.what());

@@ -10,6 +10,7 @@
 #include "sim/record/recorded_frame.hpp"
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
+#include "sim/run/calibration.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/trace/bus_record.hpp"
 
@@ -20,8 +21,8 @@ struct SimulationRequest {
   bool picture = true;                            ///< whether the result has it
   int threads = 1;                                ///< of the host, for synthesis
   bool executed = false;                          ///< boards execute their program
-  bool calibrated = false;                        ///< prices of counted work are fitted to it
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
+  const Calibration* calibration = nullptr;       ///< of this scene and machine, if told before
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
   std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
@@ -33,7 +34,6 @@ using Continue = std::function<bool(models::Duration simulated, double fraction)
 /// What a simulation gives.
 struct SimulationResult {
   Statistics statistics;
-  OperationClocks clocks{};               ///< per operation class, as counted
   std::string times_from;                 ///< what the boards' times are told from
   models::Picture picture;                ///< the frame memory at the end, when it was asked for
   std::optional<models::Picture> depths;  ///< top eight bits as greys, of a display with depths

@@ -1,6 +1,7 @@
 #include "sim/scene/description_loader.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -21,7 +22,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view k_default_machine = "ccett-1984";
-constexpr std::string_view k_default_arithmetic = "motorola_ffp";
+
+/// A table that a board may name; both its key in the board and the kind of what is shipped.
+struct CostTable {
+  std::string_view key;
+  std::string_view standard;  ///< stands for it where none is named
+};
+constexpr std::array<CostTable, 2> k_cost_tables{
+    {{"arithmetic", "motorola_ffp"}, {"program", "mc68000"}}};
 
 /// Reads files and remembers them.
 class Loader {
@@ -72,8 +80,19 @@ YamlNode& value_of(YamlNode& mapping, std::string_view key) {
   return mapping.entries.back().value;
 }
 
-/// Puts the cost table in the place of its name.
-void expand_arithmetic(YamlNode& machine, Loader& loader) {
+/// Puts a cost table in the place of its name.
+void expand_table(YamlNode& board, const CostTable& kind, Loader& loader) {
+  YamlNode& table = value_of(board, kind.key);
+  if (table.kind == YamlKind::null) {
+    const YamlPlace place = table.place;
+    table = yaml_scalar(std::string{kind.standard});
+    table.place = place;
+  }
+  loader.expand(table, kind.key);
+}
+
+/// Puts the cost tables of the machine's boards in the places of their names.
+void expand_tables(YamlNode& machine, Loader& loader) {
   if (machine.kind != YamlKind::mapping) {
     return;
   }
@@ -84,13 +103,14 @@ void expand_arithmetic(YamlNode& machine, Loader& loader) {
   if (board.kind != YamlKind::mapping) {
     return;
   }
-  YamlNode& arithmetic = value_of(board, "arithmetic");
-  if (arithmetic.kind == YamlKind::null) {
-    const YamlPlace place = arithmetic.place;
-    arithmetic = yaml_scalar(std::string{k_default_arithmetic});
-    arithmetic.place = place;
+  for (const CostTable& table : k_cost_tables) {
+    expand_table(board, table, loader);
   }
-  loader.expand(arithmetic, "arithmetic");
+}
+
+bool is_cost_table(std::string_view key) {
+  return std::any_of(k_cost_tables.begin(), k_cost_tables.end(),
+                     [key](const CostTable& table) { return table.key == key; });
 }
 
 bool contains(const std::vector<std::string_view>& names, std::string_view name) {
@@ -104,11 +124,11 @@ void apply_to_machine(YamlNode& machine, const Override& change, std::size_t fir
     loader.expand(machine, "machines");
     return;
   }
-  const bool goes_into_arithmetic = change.path.size() > first + 2 &&
-                                    change.path[first].key == "board" &&
-                                    change.path[first + 1].key == "arithmetic";
-  if (goes_into_arithmetic) {
-    expand_arithmetic(machine, loader);
+  const bool goes_into_table = change.path.size() > first + 2 &&
+                               change.path[first].key == "board" &&
+                               is_cost_table(change.path[first + 1].key);
+  if (goes_into_table) {
+    expand_tables(machine, loader);
   }
   apply_override(machine, change, first);
 }
@@ -157,13 +177,13 @@ Description read_trees(DescriptionTrees trees, const std::vector<Override>& chan
   for (const Override& change : changes) {
     apply_to_both(trees.scene, machine, change, loader);
   }
-  expand_arithmetic(machine, loader);
+  expand_tables(machine, loader);
   return {read_scene(trees.scene), read_machine(machine), {}};
 }
 
 void expand_machine(YamlNode& machine, Loader& loader) {
   loader.expand(machine, "machines");
-  expand_arithmetic(machine, loader);
+  expand_tables(machine, loader);
 }
 
 }  // namespace
@@ -183,6 +203,9 @@ void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_
       break;
     case DescriptionPart::arithmetic:
       loader.expand(part, "arithmetic");
+      break;
+    case DescriptionPart::program:
+      loader.expand(part, "program");
       break;
   }
 }
@@ -219,7 +242,7 @@ Machine load_machine(const DescriptionSources& sources, std::vector<std::string>
     const Override change = parse_override(text);
     apply_to_machine(machine, change, change.path.front().key == "machine" ? 1 : 0, loader);
   }
-  expand_arithmetic(machine, loader);
+  expand_tables(machine, loader);
   return read_machine(machine);
 }
 

@@ -26,9 +26,10 @@ struct Description {
   std::vector<std::string> input_files;
 };
 
-/// Reads the scene, its machine and its cost table. The machine is `sources.machine`, or what the
-/// scene names or holds under `machine`, or the shipped ccett-1984; the cost table is what the
-/// machine names or holds under board.arithmetic, or the shipped motorola_ffp. Names of files are
+/// Reads the scene, its machine and its cost tables. The machine is `sources.machine`, or what the
+/// scene names or holds under `machine`, or the shipped ccett-1984; the cost tables are what the
+/// machine names or holds under board.arithmetic and board.program, or the shipped motorola_ffp and
+/// mc68000. Names of files are
 /// relative to the file that names them; where there is none, it may be the name of a shipped one.
 /// The first step of an override's path decides whether it goes to the scene or to the machine;
 /// `machine.` may be written before it.
@@ -36,7 +37,7 @@ struct Description {
 [[nodiscard]] Description load_description(const DescriptionSources& sources);
 
 /// What can stand as the name of a file and be put in its place.
-enum class DescriptionPart { scene, machine, arithmetic };
+enum class DescriptionPart { scene, machine, arithmetic, program };
 
 /// Puts the file that `part` names, if it is a name, in its place, and with it what that file names
 /// in turn; a scene's own machine stays in the scene. Remembers the files in `input_files`. Throws
@@ -65,7 +66,7 @@ struct DescriptionTrees {
 /// Throws DescriptionError when it cannot be read.
 [[nodiscard]] bool describes_machine(const std::string& file);
 
-/// The scene with its machine and cost table inline, as text: every value, and nothing of where it
+/// The scene with its machine and cost tables inline, as text: every value, and nothing of where it
 /// came from, so that loading it gives the same description.
 [[nodiscard]] std::string effective_configuration(const Scene& scene, const Machine& machine);
 

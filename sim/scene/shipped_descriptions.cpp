@@ -17,10 +17,11 @@ struct ShippedFolder {
   std::string_view folder;  ///< in the folder of data
 };
 
-constexpr std::array<ShippedFolder, 4> k_folders{{{"scenes", "scenes"},
+constexpr std::array<ShippedFolder, 5> k_folders{{{"scenes", "scenes"},
                                                   {"studies", "scenes/studies"},
                                                   {"machines", "models/machines"},
-                                                  {"arithmetic", "models/arithmetic"}}};
+                                                  {"arithmetic", "models/arithmetic"},
+                                                  {"program", "models/program"}}};
 
 fs::path folder_of(const std::string& data_directory, std::string_view kind) {
   const auto* const row = std::find_if(k_folders.begin(), k_folders.end(),

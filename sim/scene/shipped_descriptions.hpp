@@ -15,8 +15,8 @@ struct ShippedDescription {
   std::string file;
 };
 
-/// Every description of a kind (`scenes`, `studies`, `machines` or `arithmetic`) in the folder of
-/// data, in the order of their names.
+/// Every description of a kind (`scenes`, `studies`, `machines`, `arithmetic` or `program`) in the
+/// folder of data, in the order of their names.
 [[nodiscard]] std::vector<ShippedDescription> shipped_descriptions(
     const std::string& data_directory, std::string_view kind);
 

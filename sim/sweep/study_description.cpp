@@ -24,6 +24,9 @@ std::optional<DescriptionPart> part_at(std::string_view path) {
   if (path == "board.arithmetic" || path == "machine.board.arithmetic") {
     return DescriptionPart::arithmetic;
   }
+  if (path == "board.program" || path == "machine.board.program") {
+    return DescriptionPart::program;
+  }
   return std::nullopt;
 }
 
@@ -52,6 +55,7 @@ class Inliner {
         break;
       case DescriptionPart::machine:
       case DescriptionPart::arithmetic:
+      case DescriptionPart::program:
         inline_files(node, kind, data_, input_files_);
         break;
     }

@@ -21,11 +21,20 @@ namespace {
 /// Exit code of a point's process that has stored why the point failed.
 constexpr int k_failure_stored = 3;
 
+/// What the points of a batch have in common: the frame that they replay, and what its counted work
+/// costs, by its key.
+struct SharedWork {
+  std::optional<RecordedFrame> record;
+  std::map<std::string, Calibration> calibrations;
+};
+
 /// Nothing when the run was interrupted.
 std::optional<PointResult> simulate_point(const Description& description,
-                                          const RecordedFrame* record) {
+                                          const SharedWork& shared) {
   SimulationRequest request;
-  request.record = record;
+  request.record = shared.record ? &*shared.record : nullptr;
+  const auto calibration = shared.calibrations.find(calibration_key(description.machine));
+  request.calibration = calibration == shared.calibrations.end() ? nullptr : &calibration->second;
   request.picture = false;
   try {
     const SimulationResult result =
@@ -42,9 +51,9 @@ std::optional<PointResult> simulate_point(const Description& description,
 
 /// The whole life of a point's process.
 int run_point(const StudyPoints& points, const StudyDirectory& directory, int point,
-              const RecordedFrame* record) {
+              const SharedWork& shared) {
   try {
-    const std::optional<PointResult> result = simulate_point(points.description(point), record);
+    const std::optional<PointResult> result = simulate_point(points.description(point), shared);
     if (!result) {
       return k_job_interrupted;
     }
@@ -84,14 +93,30 @@ std::vector<Batch> batches_of(const std::vector<std::string>& records,
   return batches;
 }
 
-/// The frame that the points of a batch replay. On a single thread of the host, since this process
-/// must stay fit to fork.
-std::optional<RecordedFrame> record_of_batch(const StudyPoints& points, const Batch& batch) {
-  if (!batch.has_record) {
-    return std::nullopt;
+/// Calibrates for a machine unless that has been done for one like it.
+void calibrate_for(const Description& description, SharedWork& shared) {
+  if (!is_calibrated(description.machine)) {
+    return;
   }
-  const Description description = points.description(batch.numbers.front());
-  return record_frame(description.scene, picture_format_of(description.machine), 1);
+  const std::string key = calibration_key(description.machine);
+  if (shared.calibrations.count(key) == 0) {
+    shared.calibrations.emplace(key, calibrate(description.scene, description.machine));
+  }
+}
+
+/// Done once for all points of a batch that share a scene. On a single thread of the host, since
+/// this process must stay fit to fork.
+SharedWork shared_work_of(const StudyPoints& points, const Batch& batch) {
+  SharedWork shared;
+  if (!batch.has_record) {
+    return shared;
+  }
+  const Description first = points.description(batch.numbers.front());
+  shared.record = record_frame(first.scene, picture_format_of(first.machine), 1);
+  for (const int number : batch.numbers) {
+    calibrate_for(points.description(number), shared);
+  }
+  return shared;
 }
 
 }  // namespace
@@ -112,12 +137,12 @@ StudyProgress run_points(const StudyPoints& points, const StudyDirectory& direct
   StudyProgress progress;
   progress.planned = static_cast<int>(numbers.size());
   for (const Batch& batch : batches_of(records, numbers)) {
-    const std::optional<RecordedFrame> record = record_of_batch(points, batch);
+    const SharedWork shared = shared_work_of(points, batch);
     ForkedJobs jobs;
     jobs.count = batch.numbers.size();
     jobs.processes = processes;
     jobs.run = [&](std::size_t job) {
-      return run_point(points, directory, batch.numbers[job], record ? &*record : nullptr);
+      return run_point(points, directory, batch.numbers[job], shared);
     };
     jobs.ended = [&](std::size_t job, const JobEnd& end) {
       if (end.exit_code != 0 && end.exit_code != k_failure_stored) {

@@ -88,6 +88,7 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
   CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
   CHECK_THAT(refused("--set board.arithmetic=ieee_single"), ContainsSubstring("ieee_single"));
   CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
+  CHECK_THAT(refused("--set processors=64"), ContainsSubstring("16 MiB"));
 }
 
 }  // namespace

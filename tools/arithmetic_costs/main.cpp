@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 #include <string>
 
 #include "firmware/arithmetic/maquette_ffp/package.hpp"
@@ -13,9 +11,7 @@ namespace {
 
 constexpr const char* k_usage =
     "usage: arithmetic_costs            prints what each routine of the package takes\n"
-    "       arithmetic_costs TABLE      prints the table of models/arithmetic/ that comes of it, "
-    "with\n"
-    "                                   the glue of the firmware as TABLE has it\n";
+    "       arithmetic_costs --table    prints the table of models/arithmetic/ that comes of it\n";
 
 void print_costs() {
   std::cout << fmt::format("{:<18}{:>9}{:>11}{:>7}{:>7}{:>8}{:>8}\n", "operation", "clocks",
@@ -30,15 +26,6 @@ void print_costs() {
   for (const auto& part : firmware::maquette_ffp::k_package_parts) {
     std::cout << fmt::format("{:<18}{:>5}\n", part.name, part.bytes);
   }
-}
-
-/// The glue of the firmware at the end of another table.
-std::string glue_of(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  const std::size_t begin = text.str().find("# Glue of the firmware");
-  return begin == std::string::npos ? std::string() : text.str().substr(begin);
 }
 
 std::string table_head() {
@@ -58,7 +45,7 @@ std::string table_head() {
       sizeof firmware::maquette_ffp::k_package);
 }
 
-void print_table(const std::string& glue) {
+void print_table() {
   std::cout << table_head();
   for (const CostRow& row : measured_rows()) {
     const std::string head = row.operation + ": {";
@@ -67,7 +54,6 @@ void print_table(const std::string& glue) {
                      head, row.cost.mean, row.cost.reads, row.cost.writes, row.called, row.mark)
               << fmt::format("{:{}}source: \"{}\"}}\n", "", head.size(), row.source);
   }
-  std::cout << '\n' << glue;
 }
 
 }  // namespace
@@ -79,11 +65,10 @@ int main(int count, char** arguments) {
     print_costs();
     return 0;
   }
-  const std::string glue = glue_of(arguments[1]);
-  if (count != 2 || glue.empty()) {
+  if (count != 2 || std::string(arguments[1]) != "--table") {
     std::cerr << k_usage;
     return 2;
   }
-  print_table(glue);
+  print_table();
   return 0;
 }

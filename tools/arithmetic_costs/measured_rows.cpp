@@ -43,9 +43,9 @@ Operands one_zero(RandomOperands& random) {
   return random.coin() ? Operands{number, 0} : Operands{0, number};
 }
 
-/// What a call costs besides, board.call_overhead of the prototype, and how often the function
+/// What a call costs besides (tools/program_costs; whole bus cycles), and how often the function
 /// converts an integer.
-constexpr Execution k_call{52, 9, 4};
+constexpr Execution k_call{66, 12, 4};
 struct CompiledFunction {
   unsigned conversions = 0;
 };
@@ -111,8 +111,8 @@ std::vector<CostRow> operation_rows() {
 
 std::vector<CostRow> function_rows() {
   const std::string of =
-      "the calls that firmware/arithmetic/elementary.hpp makes, each with 52 "
-      "clocks (9/4) of overhead and without its loops: ";
+      "the calls that firmware/arithmetic/elementary.hpp makes, each with 66 "
+      "clocks (12/4) of overhead and without its loops: ";
   return {
       {"exponential",
        function({8},

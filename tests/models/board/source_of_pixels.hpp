@@ -19,7 +19,7 @@ class AllottedPixels : public PixelSource {
   AllottedPixels(const PixelAllotment& allotment, Colour colour, Glue glue,
                  std::uint32_t preprocessing_branches)
       : allotment_(allotment), colour_(std::move(colour)), glue_(std::move(glue)) {
-    preprocessing_[firmware::Operation::branch] = preprocessing_branches;
+    preprocessing_[firmware::Operation::node] = preprocessing_branches;
   }
 
   const SynthesizedPixel& pixel(std::int64_t index) override {
@@ -30,7 +30,7 @@ class AllottedPixels : public PixelSource {
               colour_(position),
               {1, 2, 3, 4},
               {}};
-    pixel_.work[firmware::Operation::branch] = glue_(position);
+    pixel_.work[firmware::Operation::node] = glue_(position);
     return pixel_;
   }
 
@@ -48,7 +48,7 @@ class AllottedPixels : public PixelSource {
 inline Kvm02Parameters plain_board() {
   Kvm02Parameters board;
   board.refresh_period = Duration::zero();
-  board.arithmetic.operations[static_cast<std::size_t>(firmware::Operation::branch)].clocks = 1;
+  board.arithmetic.operations[static_cast<std::size_t>(firmware::Operation::node)].clocks = 1;
   return board;
 }
 

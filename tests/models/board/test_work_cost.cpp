@@ -12,7 +12,7 @@ using maquette::firmware::Work;
 Kvm02Parameters board() {
   Kvm02Parameters parameters;
   const auto add = static_cast<std::size_t>(Operation::add);
-  const auto branch = static_cast<std::size_t>(Operation::branch);
+  const auto branch = static_cast<std::size_t>(Operation::node);
   parameters.arithmetic.operations[add] = {165.4, 30.5, 2};
   parameters.arithmetic.called[add] = true;
   parameters.arithmetic.operations[branch] = {10, 2, 1};
@@ -24,11 +24,11 @@ TEST_CASE("a work's time is what one computes by hand") {
   const WorkCost cost(board());
   // add: 165.4 + 30.5 * 2 + 2 * 1, and the call 68 + 13 * 2 + 4 * 1; branch: 10 + 2 * 2 + 1.
   CHECK(cost.milliclocks(Operation::add) == 326'400);
-  CHECK(cost.milliclocks(Operation::branch) == 15'000);
+  CHECK(cost.milliclocks(Operation::node) == 15'000);
   CHECK(cost.milliclocks(Operation::divide) == 0);
   Work work{};
   work[Operation::add] = 1000;
-  work[Operation::branch] = 40;
+  work[Operation::node] = 40;
   // 327 000 clocks of 125 ns; of every 15 us 4 clocks (0.5 us) are stolen.
   CHECK(cost.duration(work) == Duration{327'000LL * 125'000 * 150 / 145});
   CHECK(cost.duration(Work{}) == Duration::zero());
@@ -38,7 +38,7 @@ TEST_CASE("without refresh the processor has all its time") {
   Kvm02Parameters parameters = board();
   parameters.refresh_period = Duration::zero();
   Work work{};
-  work[Operation::branch] = 7;
+  work[Operation::node] = 7;
   CHECK(WorkCost(parameters).duration(work) == Duration{7 * 15 * 125'000});
 }
 
@@ -48,7 +48,7 @@ TEST_CASE("odd clocks and the largest work stay exact") {
   parameters.refresh_period = Duration{15'625'001};
   const WorkCost cost(parameters);
   Work work{};
-  work[Operation::branch] = 4'000'000'000U;
+  work[Operation::node] = 4'000'000'000U;
   const long double clocks = 15.0L * 4'000'000'000U;
   const long double clock_ps = 1e12L / 14318181.0L;
   const long double expected = clocks * clock_ps / (1 - 4 * clock_ps / 15'625'001.0L);

@@ -52,7 +52,7 @@ TEST_CASE("one board: the frame time in closed form") {
     CHECK(board.preprocessing == 5000 * k_clock);
     CHECK(board.pixels == 200);
     CHECK(board.work.shadow == 800);
-    CHECK(board.work.operations[static_cast<std::size_t>(maquette::firmware::Operation::branch)] ==
+    CHECK(board.work.operations[static_cast<std::size_t>(maquette::firmware::Operation::node)] ==
           200 * work);
     check_states(statistics);
     CHECK_NOTHROW(runs[run]->machine.verify_frame());

@@ -23,9 +23,10 @@ template <typename Integer>
 std::enable_if_t<std::is_integral_v<Integer>> randomise(std::mt19937_64& random, Integer& value) {
   value = static_cast<Integer>(random());
 }
-inline void randomise(std::mt19937_64& random, sim::OperationCounts& counts) {
-  for (auto& count : counts) {
-    count = random() >> (random() % 64);
+template <typename Number>
+void randomise(std::mt19937_64& random, sim::PerOperation<Number>& numbers) {
+  for (Number& number : numbers) {
+    number = static_cast<Number>(random() >> (random() % 64));
   }
 }
 template <typename Group>

@@ -34,7 +34,16 @@ void declare_cost(Visitor& visitor, models::OperationCost& cost, std::string_vie
                 k_count);
 }
 
-/// The fields of a table of models/arithmetic/: every operation of firmware/arithmetic/work.hpp.
+/// Where the cost of an operation comes from.
+template <class Visitor>
+void declare_source(Visitor& visitor, CostSource& source) {
+  visitor.field(required("source", "where the figures come from"), source.text, TextType{});
+  visitor.field(required("mark", "R read, M measured, W widely stated, I inferred"), source.mark,
+                confidence_marks());
+}
+
+/// The fields of a table of models/arithmetic/: every operation of arithmetic in
+/// firmware/arithmetic/work.hpp.
 template <class Visitor>
 void declare_arithmetic(Visitor& visitor, Machine& machine) {
   models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
@@ -50,17 +59,31 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
       ChoiceType<models::ArithmeticExecution>{{{"none", models::ArithmeticExecution::none},
                                                {"costs", models::ArithmeticExecution::costs},
                                                {"package", models::ArithmeticExecution::package}}});
-  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
-    const char* name = firmware::k_operation_names[i];
-    visitor.group(required(name, "cost of this operation"), [&, i] {
-      CostSource& source = machine.arithmetic_sources[i];
+  for (std::size_t i = 0; i < firmware::k_arithmetic_count; ++i) {
+    visitor.group(required(firmware::k_operation_names[i], "cost of this operation"), [&, i] {
+      CostSource& source = machine.cost_sources[i];
       declare_cost(visitor, costs.operations[i], marked(source), true);
       visitor.field(required("called", "a call that pays board.call_overhead; false: in line"),
                     costs.called[i], FlagType{});
-      visitor.field(required("source", "where the figures come from"), source.text, TextType{});
-      visitor.field(required("mark", "R read, M measured, W widely stated, I inferred"),
-                    source.mark, confidence_marks());
+      declare_source(visitor, source);
     });
+  }
+}
+
+/// The fields of a table of models/program/: every event of the process in
+/// firmware/arithmetic/work.hpp.
+template <class Visitor>
+void declare_program(Visitor& visitor, Machine& machine) {
+  visitor.field(required("name", "name of the cost table"), machine.program_name, TextType{});
+  for (std::size_t i = firmware::k_arithmetic_count; i < firmware::k_operation_count; ++i) {
+    visitor.group(required(firmware::k_operation_names[i],
+                           "what the program takes for this event, besides arithmetic"),
+                  [&, i] {
+                    CostSource& source = machine.cost_sources[i];
+                    declare_cost(visitor, machine.parameters.board.arithmetic.operations[i],
+                                 marked(source), true);
+                    declare_source(visitor, source);
+                  });
   }
 }
 
