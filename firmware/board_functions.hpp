@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "fa2b509766fa418132e3e9986fbddd9c4d83b3e4";
+inline constexpr const char* k_board_firmware_version = "061ba0dc1b3efb38af4a95acf3fda867d8f3ad79";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {
@@ -120,7 +120,7 @@ inline constexpr BoardFunction k_board_functions[] = {
     {"lower", 100, 36},
     {"luminance", 270, 192},
     {"magnitude", 72, 24},
-    {"may_meet", 330, 56},
+    {"may_meet", 330, 60},
     {"nearest_parameter", 400, 228},
     {"normalize", 118, 32},
     {"pass_crossings", 328, 76},

@@ -119,12 +119,12 @@ template <class Real>
 bool meets(const Ray<Real>& ray, Real reach, const Sphere<Real>& sphere) {
   charge<Real>(Operation::sphere);
   const Vector<Real> to_center = sphere.center - ray.origin;
-  const Real along = glm::dot(to_center, ray.direction);
   const Real distance_squared = glm::dot(to_center, to_center);
   charge<Real>(Operation::load, 5);
   if (distance_squared <= sphere.radius_squared) {
     return true;
   }
+  const Real along = glm::dot(to_center, ray.direction);
   if (along < constant<Real>(0) || along - sphere.radius > reach) {
     return false;
   }
