@@ -18,7 +18,7 @@ inline constexpr const char* k_board_compiler = "GCC 12, GLM 0.9.9.8";
 inline constexpr const char* k_board_flags =
     "-std=c++17 -Os -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions"
     " -fno-rtti -DNDEBUG -Wall -Wextra -Werror";
-inline constexpr const char* k_board_firmware_version = "061ba0dc1b3efb38af4a95acf3fda867d8f3ad79";
+inline constexpr const char* k_board_firmware_version = "2ac232307c801acffa169cfa9a0ee55a95fdfb3c";
 
 /// The functions of the arithmetic package that the program calls.
 inline constexpr const char* k_board_package_calls[] = {

@@ -78,6 +78,18 @@ void reserve_prepared(const firmware::Frame<float>& frame, Arrays& arrays) {
   arrays.reserve(frame.prepared.light_positions, database.light_count);
 }
 
+/// The program that a scene needs. Where the package in it stands for a larger one, it has as much
+/// room as that.
+LinkedProgram program_for(const firmware::Needs& needs, firmware::NumberFormat numbers,
+                          const BoardRoom& room) {
+  LinkedProgram program = linked_program(
+      program_code(numbers), room.system_bytes,
+      [&needs](const firmware::CodePiece& piece) { return is_needed(piece.name, needs); });
+  const std::size_t least = program.package - program.base + room.package_bytes;
+  program.bytes.resize(std::max(program.bytes.size(), least));
+  return program;
+}
+
 std::vector<unsigned char> ram_with(const LinkedProgram& program, std::uint32_t ram_bytes) {
   if (program.base + program.bytes.size() > ram_bytes) {
     throw std::out_of_range("the program does not fit into the board's RAM");
@@ -99,16 +111,15 @@ std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram)
 
 }  // namespace
 
-BoardImage board_image(const firmware::Frame<float>& frame, const firmware::WorkArea<float>& area,
-                       const firmware::BoardOrder& order, const BoardRoom& room) {
+BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+                       const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
+                       const BoardRoom& room) {
   BoardImage image{};
-  image.program = linked_program(room.system_bytes, [&frame](const firmware::CodePiece& piece) {
-    return is_needed(piece.name, frame.database.needs);
-  });
+  image.program = program_for(frame.database.needs, numbers, room);
   image.ram = ram_with(image.program, room.ram_bytes);
   image.database = room.system_bytes + static_cast<std::uint32_t>(image.program.bytes.size());
   image.database += image.database % 2;
-  BoardWriter writer(image.ram, NumberFormat::ffp);
+  BoardWriter writer(image.ram, numbers);
   Arrays arrays(image.database, writer);
   place_scene(frame.database, arrays);
   const std::uint32_t task = arrays.reserve<firmware::BoardTask<float>>(nullptr, 1);

@@ -17,6 +17,8 @@ struct BoardRoom {
   std::uint32_t waiting_rays;
   std::uint32_t line_pixels;  ///< that are kept until they are written together
   std::uint32_t stack_bytes;  ///< at the top
+  std::uint32_t
+      package_bytes;  ///< of the arithmetic package, where it is larger than the program's
 };
 
 /// A board's RAM from which its program can be started, and where things are in it.
@@ -29,9 +31,10 @@ struct BoardImage {
 };
 
 /// Lays out program, database with the board's task, what preprocessing makes of it, work area and
-/// line of pixels, in this order; the first two are written, numbers in the FFP format. Of the
+/// line of pixels, in this order; the first two are written, with numbers of the format. Of the
 /// order the line is filled in. Throws std::out_of_range when they and the stack do not fit.
-BoardImage board_image(const firmware::Frame<float>& frame, const firmware::WorkArea<float>& area,
-                       const firmware::BoardOrder& order, const BoardRoom& room);
+BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+                       const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
+                       const BoardRoom& room);
 
 }  // namespace maquette::sim

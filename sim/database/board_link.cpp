@@ -1,8 +1,10 @@
 #include "sim/database/board_link.hpp"
 
-#include <iterator>
 #include <stdexcept>
 #include <string>
+
+#include "firmware/board_code_ffp.hpp"
+#include "firmware/board_code_ieee_single.hpp"
 
 namespace maquette::sim {
 
@@ -23,16 +25,17 @@ void put_long(unsigned char* place, std::uint32_t value) {
   put_word(place + k_word_bytes, value);
 }
 
-void copy_words(const firmware::CodePiece& piece, unsigned char* place) {
+void copy_words(const firmware::ProgramCode& code, const firmware::CodePiece& piece,
+                unsigned char* place) {
   for (std::uint32_t i = 0; i < piece.words; ++i) {
-    put_word(place + k_word_bytes * i, firmware::k_code_words[piece.first_word + i]);
+    put_word(place + k_word_bytes * i, code.words[piece.first_word + i]);
   }
 }
 
 void resolve_addresses(const firmware::CodePiece& piece, const LinkedProgram& program,
                        unsigned char* place) {
   for (std::uint32_t i = 0; i < piece.addresses; ++i) {
-    const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + i];
+    const firmware::CodeAddress& address = program.code->addresses[piece.first_address + i];
     const std::uint32_t target =
         address.piece == firmware::k_package ? program.package : program.addresses[address.piece];
     put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
@@ -41,24 +44,28 @@ void resolve_addresses(const firmware::CodePiece& piece, const LinkedProgram& pr
 
 }  // namespace
 
-LinkedProgram linked_program(std::uint32_t base,
+const firmware::ProgramCode& program_code(firmware::NumberFormat numbers) {
+  return numbers == firmware::NumberFormat::ffp ? firmware::board_code_ffp::k_program
+                                                : firmware::board_code_ieee_single::k_program;
+}
+
+LinkedProgram linked_program(const firmware::ProgramCode& code, std::uint32_t base,
                              const std::function<bool(const firmware::CodePiece&)>& is_needed) {
-  LinkedProgram program{base, 0, {}, {}};
+  LinkedProgram program{&code, base, 0, {}, {}};
   std::uint32_t end = base;
-  for (const firmware::CodePiece& piece : firmware::k_code_pieces) {
+  for (const firmware::CodePiece& piece : code.pieces) {
     const bool needed = is_needed(piece);
     program.addresses.push_back(needed ? end : 0);
     end += needed ? static_cast<std::uint32_t>(k_word_bytes * piece.words) : 0;
   }
   program.package = end;
   program.bytes.resize(end - base);
-  program.bytes.insert(program.bytes.end(), std::begin(firmware::maquette_ffp::k_package),
-                       std::end(firmware::maquette_ffp::k_package));
+  program.bytes.insert(program.bytes.end(), code.package.bytes.begin(), code.package.bytes.end());
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
     if (program.addresses[i] != 0) {
       unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
-      copy_words(firmware::k_code_pieces[i], place);
-      resolve_addresses(firmware::k_code_pieces[i], program, place);
+      copy_words(code, code.pieces[i], place);
+      resolve_addresses(code.pieces[i], program, place);
     }
   }
   return program;
@@ -66,7 +73,7 @@ LinkedProgram linked_program(std::uint32_t base,
 
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
-    if (firmware::k_code_pieces[i].name == name && program.addresses[i] != 0) {
+    if (program.code->pieces[i].name == name && program.addresses[i] != 0) {
       return program.addresses[i];
     }
   }

@@ -34,10 +34,12 @@ models::ProgramSetup programs_of(const PackedScene<float>& packed, const Machine
   const PreparedScene<float> scene(packed);
   SynthesisArea<float> area(scene.frame().database);
   firmware::BoardOrder order = board_order(machine, setup);
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   models::ProgramSetup program;
   for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
     order.first_unit = static_cast<std::uint32_t>(board);
-    const BoardImage image = board_image(scene.frame(), area.view(), order, board_room(machine));
+    const BoardImage image =
+        board_image(numbers, scene.frame(), area.view(), order, board_room(machine));
     add_board(image, machine.parameters.host.loads_code, program, setup);
     program.entry = program_entry(image);
     program.host_routines = host_routines(machine, image);

@@ -66,7 +66,8 @@ BoardRoom board_room(const Machine& machine) {
           static_cast<std::uint32_t>(machine.crossing_capacity),
           static_cast<std::uint32_t>(machine.ray_capacity),
           keeps_line ? static_cast<std::uint32_t>(machine.parameters.frame_memory.width) : 0,
-          static_cast<std::uint32_t>(machine.stack_bytes)};
+          static_cast<std::uint32_t>(machine.stack_bytes),
+          static_cast<std::uint32_t>(board.arithmetic.package_bytes)};
 }
 
 models::ProgramEntry program_entry(const BoardImage& image) {

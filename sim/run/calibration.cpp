@@ -72,7 +72,8 @@ bool is_calibrated(const Machine& machine) {
 
 std::string calibration_key(const Machine& machine) {
   const models::Kvm02Parameters& board = machine.parameters.board;
-  std::string key = fmt::format("{}", static_cast<int>(board.arithmetic.execution));
+  std::string key = fmt::format("{} {}", static_cast<int>(board.arithmetic.execution),
+                                static_cast<int>(models::numbers_of(board.arithmetic)));
   const OperationCosts costs = table_costs(board);
   for (std::size_t i = 0; i < costs.size(); ++i) {
     key += fmt::format(" {} {} {} {}", costs[i].clocks, costs[i].reads, costs[i].writes,

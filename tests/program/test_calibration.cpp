@@ -70,6 +70,13 @@ TEST_CASE("counted work comes near to the executed program whose arithmetic is e
   }
 }
 
+TEST_CASE("counted work comes near to the executed program with IEEE numbers") {
+  for (const char* scene : {"photo1.yaml", "photo3.yaml", "photo4.yaml", "primitives/cone.yaml",
+                            "primitives/revolution.yaml", "primitives/torus.yaml"}) {
+    check_nearness(k_scenes / scene, "ieee_single");
+  }
+}
+
 TEST_CASE("statistics tell what counted work costs and where that is from") {
   const ScratchDirectory scratch;
   const Json calibrated = statistics(scratch, "")["costs"];

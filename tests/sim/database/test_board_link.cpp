@@ -1,7 +1,6 @@
 #include "sim/database/board_link.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <stdexcept>
 
 #include "tests/catch.hpp"
@@ -9,6 +8,9 @@
 using namespace maquette;
 
 namespace {
+
+constexpr firmware::NumberFormat k_formats[] = {firmware::NumberFormat::ffp,
+                                                firmware::NumberFormat::ieee_single};
 
 bool always(const firmware::CodePiece& /*piece*/) { return true; }
 
@@ -20,33 +22,50 @@ std::uint32_t long_at(const sim::LinkedProgram& program, std::uint32_t address) 
   return value;
 }
 
+/// Where what an address names begins, and how many bytes it has.
+struct Home {
+  std::uint32_t first;
+  std::size_t bytes;
+};
+
+Home home_of(const firmware::CodeAddress& address, const sim::LinkedProgram& program) {
+  const firmware::ProgramCode& code = *program.code;
+  return address.piece == firmware::k_package
+             ? Home{program.package, code.package.bytes.size()}
+             : Home{program.addresses[address.piece], 2 * code.pieces[address.piece].words};
+}
+
 TEST_CASE("every address in the program of a board is that of what it names") {
-  const sim::LinkedProgram program = sim::linked_program(0x2000, always);
-  for (std::size_t i = 0; i < std::size(firmware::k_code_pieces); ++i) {
-    const firmware::CodePiece& piece = firmware::k_code_pieces[i];
-    for (std::uint32_t j = 0; j < piece.addresses; ++j) {
-      const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + j];
-      const std::uint32_t found = long_at(program, program.addresses[i] + address.offset);
-      const bool in_package = address.piece == firmware::k_package;
-      const std::uint32_t home = in_package ? program.package : program.addresses[address.piece];
-      const std::uint32_t bytes = in_package ? std::size(firmware::maquette_ffp::k_package)
-                                             : 2 * firmware::k_code_pieces[address.piece].words;
-      CHECK(found >= home);
-      CHECK(found < home + bytes);
+  for (const firmware::NumberFormat numbers : k_formats) {
+    const firmware::ProgramCode& code = sim::program_code(numbers);
+    CHECK(code.numbers == numbers);
+    const sim::LinkedProgram program = sim::linked_program(code, 0x2000, always);
+    for (std::size_t i = 0; i < code.pieces.size(); ++i) {
+      const firmware::CodePiece& piece = code.pieces[i];
+      for (std::uint32_t j = 0; j < piece.addresses; ++j) {
+        const firmware::CodeAddress& address = code.addresses[piece.first_address + j];
+        const std::uint32_t found = long_at(program, program.addresses[i] + address.offset);
+        const Home home = home_of(address, program);
+        CHECK(found >= home.first);
+        CHECK(found < home.first + home.bytes);
+      }
     }
   }
 }
 
 TEST_CASE("a program elsewhere differs in its addresses alone") {
-  const sim::LinkedProgram low = sim::linked_program(0x2000, always);
-  const sim::LinkedProgram high = sim::linked_program(0x5000, always);
-  REQUIRE(low.bytes.size() == high.bytes.size());
-  std::size_t different = 0;
-  for (std::size_t i = 0; i < low.bytes.size(); ++i) {
-    different += low.bytes[i] != high.bytes[i] ? 1 : 0;
+  for (const firmware::NumberFormat numbers : k_formats) {
+    const firmware::ProgramCode& code = sim::program_code(numbers);
+    const sim::LinkedProgram low = sim::linked_program(code, 0x2000, always);
+    const sim::LinkedProgram high = sim::linked_program(code, 0x5000, always);
+    REQUIRE(low.bytes.size() == high.bytes.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < low.bytes.size(); ++i) {
+      different += low.bytes[i] != high.bytes[i] ? 1 : 0;
+    }
+    CHECK(different > 0);
+    CHECK(different <= 2 * code.addresses.size());
   }
-  CHECK(different > 0);
-  CHECK(different <= 2 * std::size(firmware::k_code_addresses));
 }
 
 TEST_CASE("what is left out takes no room, and who calls it comes to an odd address") {
@@ -54,20 +73,19 @@ TEST_CASE("what is left out takes no room, and who calls it comes to an odd addr
   const auto is_needed = [left_out](const firmware::CodePiece& piece) {
     return piece.name != left_out;
   };
-  const sim::LinkedProgram all = sim::linked_program(0x2000, always);
-  const sim::LinkedProgram part = sim::linked_program(0x2000, is_needed);
-  const auto* const piece = std::find_if_not(std::begin(firmware::k_code_pieces),
-                                             std::end(firmware::k_code_pieces), is_needed);
-  REQUIRE(piece != std::end(firmware::k_code_pieces));
+  const firmware::ProgramCode& code = sim::program_code(firmware::NumberFormat::ffp);
+  const sim::LinkedProgram all = sim::linked_program(code, 0x2000, always);
+  const sim::LinkedProgram part = sim::linked_program(code, 0x2000, is_needed);
+  const auto* const piece = std::find_if_not(code.pieces.begin(), code.pieces.end(), is_needed);
+  REQUIRE(piece != code.pieces.end());
   CHECK(all.bytes.size() - part.bytes.size() == 2 * piece->words);
   CHECK_THROWS_AS(address_of(part, left_out), std::out_of_range);
   int calls = 0;
-  for (std::size_t i = 0; i < std::size(firmware::k_code_pieces); ++i) {
-    const firmware::CodePiece& caller = firmware::k_code_pieces[i];
+  for (std::size_t i = 0; i < code.pieces.size(); ++i) {
+    const firmware::CodePiece& caller = code.pieces[i];
     for (std::uint32_t j = 0; j < caller.addresses && part.addresses[i] != 0; ++j) {
-      const firmware::CodeAddress& address = firmware::k_code_addresses[caller.first_address + j];
-      if (address.piece ==
-          static_cast<std::uint32_t>(piece - std::begin(firmware::k_code_pieces))) {
+      const firmware::CodeAddress& address = code.addresses[caller.first_address + j];
+      if (address.piece == static_cast<std::uint32_t>(piece - code.pieces.begin())) {
         ++calls;
         CHECK(long_at(part, part.addresses[i] + address.offset) % 2 == 1);
       }
