@@ -29,6 +29,9 @@ class BusEngine {
 
   /// A master has posted a burst or retires: there may be more to decide on.
   virtual void advance() = 0;
+
+  /// Has a trace file of the kernel show the lines of the bus, at a level that has them.
+  virtual void trace_lines(sc_core::sc_trace_file* /*file*/) const {}
 };
 
 }  // namespace maquette::models

@@ -54,6 +54,10 @@ class VersaBus : public sc_core::sc_module {
     masters_.observe(std::move(observer));
   }
 
+  /// Has a trace file of the kernel show the lines of the bus, at a level that has them. To be
+  /// called before the file is first written.
+  void trace_lines(sc_core::sc_trace_file* file) const { engine_->trace_lines(file); }
+
   [[nodiscard]] BusStatistics statistics() const { return account_.statistics(); }
   [[nodiscard]] const AddressMap& address_map() const { return slaves_.address_map(); }
   [[nodiscard]] const std::string& master_name(int master) const { return masters_[master].name; }
