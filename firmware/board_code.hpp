@@ -11,7 +11,7 @@
 namespace maquette::firmware {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_board_code_version = "286ff9f226d5ea085ec54f3eeb4a52525a955cb4";
+inline constexpr const char* k_board_code_version = "86a2323a8a3df93b7bab3c2c6b81e59043595940";
 
 /// A function or a table: its words, and the long words in them that are addresses.
 struct CodePiece {

@@ -5,11 +5,9 @@
 /// Units that boards share: a counter behind a lock in a memory on the bus.
 namespace maquette::firmware {
 
-inline constexpr std::uint32_t k_counter_offset = 4;  ///< of the counter, from its lock
-
-/// Takes the next unit: the lock by TAS, the counter, which is left greater by one, and gives the
-/// lock back. A board that finds the lock taken waits the longer the more boards there are, so that
-/// they do not keep its holder off the bus.
+/// Takes the next unit: the lock by TAS, the counter a long word behind it, which is left greater
+/// by one, and gives the lock back. A board that finds the lock taken waits the longer the more
+/// boards there are, so that they do not keep its holder off the bus.
 inline std::uint32_t claimed_unit(std::uint32_t lock, std::uint32_t boards) {
   std::uint32_t unit = 0;
   std::uint32_t next = 0;
