@@ -7,6 +7,7 @@
 #include <string>
 #include <systemc>
 #include <tlm>
+#include <utility>
 #include <vector>
 
 #include "models/bus/access_law.hpp"
@@ -63,7 +64,7 @@ class BusMasters {
 
  private:
   struct Master {
-    Master(const BusMaster& what, unsigned word_bytes) : description(what), burst(word_bytes) {}
+    Master(BusMaster what, unsigned word_bytes) : description(std::move(what)), burst(word_bytes) {}
 
     BusMaster description;
     BurstProgress burst;
@@ -72,7 +73,7 @@ class BusMasters {
 
   void check_place(const BusMaster& master) const;
   std::optional<Instant> requested(int master, Instant request);
-  std::optional<Instant> complete(int master, Instant end, tlm::tlm_response_status status);
+  std::optional<Instant> complete(int id, Instant end, tlm::tlm_response_status status);
   [[nodiscard]] Master& at(int master) const { return *masters_[static_cast<std::size_t>(master)]; }
 
   unsigned word_bytes_;
