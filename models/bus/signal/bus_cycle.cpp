@@ -51,14 +51,17 @@ void BusCycle::wait_for_answer() const {
   }
 }
 
-// DTACK has just fallen: counts the looks that have missed it.
+// DTACK has just fallen: counts the looks that have missed it, and the clocks that are over by now.
 void BusCycle::wait_out_clocks(Instant strobe) const {
   Clocks waits = 0;
   while (strobe + law_.access_slack + law_.clock.times(waits) < kernel_now()) {
     ++waits;
   }
-  const Instant end = strobe + law_.clock.times(law_.access_clocks + waits);
-  if (end > kernel_now()) {
+  Clocks clocks = law_.access_clocks + waits;
+  while (strobe + law_.clock.times(clocks) < kernel_now()) {
+    ++clocks;
+  }
+  if (const Instant end = strobe + law_.clock.times(clocks); end > kernel_now()) {
     sc_core::wait(to_sc_time(end - kernel_now()));
   }
 }

@@ -18,7 +18,8 @@ struct TransferEnd {
 ///
 /// The processor looks at DTACK at its own clock: for the first time `access_slack` after the
 /// strobe, then once per clock; an answer of the very instant counts. The look that finds it low
-/// says how many clocks the cycle waited. BERR without DTACK, from the bus timer, ends it at once.
+/// says how many clocks the cycle waited; where `access_slack` is longer than the cycle, it ends
+/// with the clock in which DTACK falls. BERR without DTACK, from the bus timer, ends it at once.
 class BusCycle {
  public:
   /// The lines are kept by reference.

@@ -1,7 +1,6 @@
 #include "models/bus/signal/signal_engine.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 namespace maquette::models {
@@ -52,7 +51,6 @@ void SignalEngine::trace_lines(sc_core::sc_trace_file* file) const {
 // ---- once all masters and slaves are attached ----
 
 void SignalEngine::before_end_of_elaboration() {
-  check_laws();
   masters_.resize(static_cast<std::size_t>(panel_.parts.masters.count()));
   if (panel_.is_ring) {
     make_ring();
@@ -66,17 +64,6 @@ void SignalEngine::before_end_of_elaboration() {
     slaves_.push_back(std::make_unique<SlaveInterface>(("slave" + std::to_string(slave)).c_str(),
                                                        slave, word_bytes_, panel_.parts.slaves,
                                                        lines_));
-  }
-}
-
-// The law's slack may be longer than its clocks: an access would end before its answer.
-void SignalEngine::check_laws() const {
-  for (int master = 0; master < panel_.parts.masters.count(); ++master) {
-    const AccessLaw& law = panel_.parts.masters[master].access;
-    if (law.access_slack > law.clock.times(law.access_clocks)) {
-      throw std::invalid_argument("an access of master " + panel_.parts.masters[master].name +
-                                  " may end before its slave answers, which lines do not do");
-    }
   }
 }
 

@@ -42,7 +42,6 @@ class SignalEngine : public sc_core::sc_module, public BusEngine {
   void make_ring();
   void make_master(int master, const BusLine& grant, const BusLine& left, BusLine& right);
   BusLine& make_link();
-  void check_laws() const;
 
   unsigned word_bytes_;
   BusLines lines_;

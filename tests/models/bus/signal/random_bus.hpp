@@ -94,8 +94,8 @@ inline VersaBusParameters random_parameters(std::mt19937& random) {
 
 inline RandomMaster random_master(std::mt19937& random, int index, unsigned word_bytes,
                                   int slaves) {
-  constexpr double k_clocks_hz[] = {8e6, 8e6, 12.5e6, 7.159e6};
-  const double clock_hz = k_clocks_hz[below(random, 4)];
+  constexpr double k_clocks_hz[] = {8e6, 8e6, 12.5e6, 7.159e6, 71.5e6, 512e6};
+  const double clock_hz = k_clocks_hz[below(random, 6)];
   RandomMaster master{
       {below(random, 5), below(random, 2) == 0 ? index : 100 - index},
       {Period::of_frequency(clock_hz), 4 + below(random, 3), Duration{70'000 * below(random, 2)}},

@@ -56,10 +56,3 @@ TEST_CASE("a request after its instant has settled is misuse, not another result
   const auto bench = late("too_late", k_signal_level, 2 * Settling::k_delta_cycles);
   CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("late in its instant"));
 }
-
-TEST_CASE("an access that may end before its answer has no lines") {
-  Bench bench("early", at_level(k_signal_level), always(k_clock));
-  bench.add({0, 0}, Style::annotated, script({{Duration::zero()}}),
-            {Period::of_frequency(8e6), 1, 2 * k_clock});
-  CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("before its slave"));
-}

@@ -58,6 +58,7 @@ struct Tally {
   int kept = 0;
   int test_and_set = 0;
   int contended = 0;
+  int ended_by_acknowledge = 0;  // in its very instant, or less than a clock of 512 MHz later
 };
 
 void add(Tally& tally, const std::vector<BusAccess>& log) {
@@ -67,6 +68,8 @@ void add(Tally& tally, const std::vector<BusAccess>& log) {
     tally.kept += access.kept ? 1 : 0;
     tally.test_and_set += access.test_and_set ? 1 : 0;
     tally.contended += access.decision > access.request ? 1 : 0;
+    const Duration left = access.end - access.grant - access.slave_time;
+    tally.ended_by_acknowledge += access.answered && left < Duration{1'954} ? 1 : 0;
   }
 }
 
@@ -100,4 +103,5 @@ TEST_CASE("every access is at the tick at which transactions have it, with the s
   CHECK(tally.kept > 20'000);
   CHECK(tally.test_and_set > 10'000);
   CHECK(tally.errors > 5'000);
+  CHECK(tally.ended_by_acknowledge > 1'000);
 }
