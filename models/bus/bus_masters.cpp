@@ -56,6 +56,9 @@ int BusMasters::add(const BusMaster& master) {
 }
 
 void BusMasters::post(int master, tlm::tlm_generic_payload& burst, Instant request) {
+  if (request < kernel_now()) {
+    report_misuse("master " + at(master).description.name + " requests in the past");
+  }
   lookahead_.post(master, request, kernel_now());
   at(master).burst.begin(burst, at(master).description.name);
 }
