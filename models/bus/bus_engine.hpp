@@ -3,6 +3,7 @@
 #include "models/bus/bus_account.hpp"
 #include "models/bus/bus_masters.hpp"
 #include "models/bus/bus_slaves.hpp"
+#include "models/bus/line_state.hpp"
 
 namespace maquette::models {
 
@@ -30,8 +31,9 @@ class BusEngine {
   /// A master has posted a burst or retires: there may be more to decide on.
   virtual void advance() = 0;
 
-  /// Has a trace file of the kernel show the lines of the bus, at a level that has them.
-  virtual void trace_lines(sc_core::sc_trace_file* /*file*/) const {}
+  /// Every line of the bus is shown to an observer, at a level that has lines: as it is when the
+  /// elaboration ends, and then at every change. To be called before.
+  virtual void observe_lines(const LineObserver& /*observer*/) {}
 };
 
 }  // namespace maquette::models

@@ -16,6 +16,7 @@ struct BusLevel {
   std::string_view sentence;  ///< what it does with requests, for people
   bool has_quantum;           ///< VersaBusParameters::quantum says something about it
   bool is_exclusive;          ///< one master has the bus at a time
+  bool has_lines;             ///< there is something to see for VersaBus::observe_lines
 
   /// The engine of a bus of these parameters, within the module under construction.
   std::unique_ptr<BusEngine> (*make_engine)(const VersaBusParameters& parameters,

@@ -8,8 +8,8 @@ namespace maquette::models {
 [[nodiscard]] std::unique_ptr<BusEngine> make_decoupled_engine(const VersaBusParameters& parameters,
                                                                const BusParts& parts);
 
-inline constexpr BusLevel k_decoupled_level{"decoupled",
-                                            "boards that run ahead of one another for a quantum",
-                                            true, true, make_decoupled_engine};
+inline constexpr BusLevel k_decoupled_level{
+    "decoupled",          "boards that run ahead of one another for a quantum", true, true, false,
+    make_decoupled_engine};
 
 }  // namespace maquette::models

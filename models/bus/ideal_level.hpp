@@ -9,6 +9,6 @@ namespace maquette::models {
                                                            const BusParts& parts);
 
 inline constexpr BusLevel k_ideal_level{"ideal", "no contention at all", false, false,
-                                        make_ideal_engine};
+                                        false,   make_ideal_engine};
 
 }  // namespace maquette::models

@@ -8,7 +8,7 @@ namespace maquette::models {
 [[nodiscard]] std::unique_ptr<BusEngine> make_signal_engine(const VersaBusParameters& parameters,
                                                             const BusParts& parts);
 
-inline constexpr BusLevel k_signal_level{"signal", "every line of every handshake", false, true,
-                                         make_signal_engine};
+inline constexpr BusLevel k_signal_level{
+    "signal", "every line of every handshake", false, true, true, make_signal_engine};
 
 }  // namespace maquette::models

@@ -9,6 +9,7 @@ namespace maquette::models {
     const VersaBusParameters& parameters, const BusParts& parts);
 
 inline constexpr BusLevel k_transaction_level{
-    "transaction", "every request arbitrated at its instant", false, true, make_transaction_engine};
+    "transaction",          "every request arbitrated at its instant", false, true, false,
+    make_transaction_engine};
 
 }  // namespace maquette::models

@@ -14,6 +14,7 @@
 #include "models/bus/bus_masters.hpp"
 #include "models/bus/bus_slaves.hpp"
 #include "models/bus/bus_transaction.hpp"
+#include "models/bus/line_state.hpp"
 #include "models/bus/versabus_parameters.hpp"
 
 namespace maquette::models {
@@ -54,9 +55,10 @@ class VersaBus : public sc_core::sc_module {
     masters_.observe(std::move(observer));
   }
 
-  /// Has a trace file of the kernel show the lines of the bus, at a level that has them. To be
-  /// called before the file is first written.
-  void trace_lines(sc_core::sc_trace_file* file) const { engine_->trace_lines(file); }
+  /// Every line of the bus is shown to `observer`, at a level that has lines (BusLevel::has_lines):
+  /// as it is before the simulation starts, and then at every change, of which there may be several
+  /// in an instant. To be called before the simulation starts.
+  void observe_lines(const LineObserver& observer) { engine_->observe_lines(observer); }
 
   [[nodiscard]] BusStatistics statistics() const { return account_.statistics(); }
   [[nodiscard]] const AddressMap& address_map() const { return slaves_.address_map(); }

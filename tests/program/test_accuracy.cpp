@@ -169,6 +169,19 @@ TEST_CASE("on a saturated bus no level but the exact one is right") {
   CHECK(level_of(bus, "ideal")["frame_time_error"].get<double>() < -0.05);
 }
 
+TEST_CASE("the lines of the bus are the reference of boards of any clock") {
+  const ScratchDirectory scratch;
+  REQUIRE(accuracy(scratch,
+                   "--ladder bus --repeats 1 --quiet --quantum 500ns --set board.clock=512MHz "
+                   "--set processors=16",
+                   "out")
+              .exit_code == 0);
+  const Json bus = ladder_of(errors_of(scratch, "out"), "bus");
+  CHECK(bus["reference"] == "signal");
+  CHECK(level_of(bus, "transaction")["frame_time_error"] == 0);
+  CHECK(level_of(bus, "transaction")["wait_error_s"] == 0);
+}
+
 TEST_CASE("roots that are less near take less simulated time") {
   const ScratchDirectory scratch;
   const std::string scene =
@@ -236,6 +249,6 @@ TEST_CASE("An unwritable directory, and a machine that does not work, leave noth
       accuracy(scratch, "--ladder bus --set \"frame_memory.access_time=30 us\"", "out");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 2);
-  CHECK(outcome.errors.find("level bus, transaction") != std::string::npos);
+  CHECK(outcome.errors.find("level bus, signal") != std::string::npos);
   CHECK(std::filesystem::is_empty(scratch / "out"));
 }

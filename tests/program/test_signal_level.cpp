@@ -55,13 +55,13 @@ TEST_CASE("so is one whose boards share the database and claim their pixels") {
                    "--set board.database_cache=8KiB --set allotment.assignment=on_demand");
 }
 
-TEST_CASE("a board too fast for its access law has no lines") {
-  const ScratchDirectory scratch;
-  const Outcome run =
-      run_maquette(k_photo4 + std::string("--set board.clock=512MHz --bus signal ") + "--outdir " +
-                   (scratch / "out").string());
-  CHECK(run.exit_code == 2);
-  CHECK_THAT(run.errors, Catch::Matchers::ContainsSubstring("before its slave answers"));
+TEST_CASE("so is one of boards faster than the access law of the data sheet knows") {
+  check_same_frame(std::string(k_coarse) + "--set board.clock=512MHz --set processors=8");
+}
+
+TEST_CASE("so is one whose boards execute their program and claim their pixels") {
+  check_same_frame(std::string(k_coarsest) +
+                   "--processor instruction --set allotment.assignment=on_demand");
 }
 
 }  // namespace

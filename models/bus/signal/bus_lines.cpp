@@ -1,7 +1,5 @@
 #include "models/bus/signal/bus_lines.hpp"
 
-#include <string>
-
 namespace maquette::models {
 
 namespace {
@@ -25,21 +23,5 @@ BusLines::BusLines()
       error("BERR_n", sc_dt::SC_LOGIC_Z),
       address("address"),
       data("data") {}
-
-void trace_lines(sc_core::sc_trace_file* file, const BusLines& lines) {
-  const auto trace = [file](const auto& line) { sc_core::sc_trace(file, line, line.name()); };
-  for (const auto* levels : {&lines.request, &lines.grant}) {
-    for (const BusLine& line : *levels) {
-      trace(line);
-    }
-  }
-  for (const BusLine* line :
-       {&lines.busy, &lines.clear, &lines.address_strobe, &lines.upper_strobe, &lines.lower_strobe,
-        &lines.write, &lines.acknowledge, &lines.error}) {
-    trace(*line);
-  }
-  trace(lines.address);
-  trace(lines.data);
-}
 
 }  // namespace maquette::models

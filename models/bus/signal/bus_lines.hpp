@@ -38,9 +38,6 @@ struct BusLines {
   sc_core::sc_signal<std::uint32_t, sc_core::SC_MANY_WRITERS> data;
 };
 
-/// Has a trace file of the kernel show the lines.
-void trace_lines(sc_core::sc_trace_file* file, const BusLines& lines);
-
 /// Whether a transfer's data strobes are low, for an address that is valid.
 inline bool is_strobed(const BusLines& lines) {
   return is_low(lines.address_strobe) && is_low(lines.upper_strobe);

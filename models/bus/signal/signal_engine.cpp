@@ -23,6 +23,9 @@ std::vector<int> chain_of(const BusMasters& masters, int level) {
   return chain;
 }
 
+// Of a name in the kernel's hierarchy.
+std::string leaf_of(const std::string& name) { return name.substr(name.rfind('.') + 1); }
+
 }  // namespace
 
 SignalEngine::SignalEngine(const sc_core::sc_module_name& name,
@@ -44,14 +47,11 @@ void SignalEngine::enter(int master, Instant request) {
   masters_[static_cast<std::size_t>(master)]->enter(request);
 }
 
-void SignalEngine::trace_lines(sc_core::sc_trace_file* file) const {
-  models::trace_lines(file, lines_);
-}
-
 // ---- once all masters and slaves are attached ----
 
 void SignalEngine::before_end_of_elaboration() {
   masters_.resize(static_cast<std::size_t>(panel_.parts.masters.count()));
+  links_.resize(masters_.size());
   if (panel_.is_ring) {
     make_ring();
   } else {
@@ -65,12 +65,24 @@ void SignalEngine::before_end_of_elaboration() {
                                                        slave, word_bytes_, panel_.parts.slaves,
                                                        lines_));
   }
+  if (watch_) {
+    watch_lines();
+  }
 }
 
-BusLine& SignalEngine::make_link() {
-  const std::string name = "BGOUT" + std::to_string(links_.size()) + "_n";
-  links_.push_back(std::make_unique<BusLine>(name.c_str(), sc_dt::SC_LOGIC_Z));
-  return *links_.back();
+void SignalEngine::watch_lines() {
+  watch_->add(lines_, static_cast<int>(k_bits_per_byte * word_bytes_));
+  for (int master = 0; master < panel_.parts.masters.count(); ++master) {
+    watch_->add("BGOUT_" + leaf_of(panel_.parts.masters[master].name) + "_n",
+                *links_[static_cast<std::size_t>(master)]);
+  }
+}
+
+BusLine& SignalEngine::make_link(int master) {
+  const std::string name = "BGOUT" + std::to_string(master) + "_n";
+  auto& link = links_[static_cast<std::size_t>(master)];
+  link = std::make_unique<BusLine>(name.c_str(), sc_dt::SC_LOGIC_Z);
+  return *link;
 }
 
 void SignalEngine::make_master(int master, const BusLine& grant, const BusLine& left,
@@ -84,7 +96,7 @@ void SignalEngine::make_master(int master, const BusLine& grant, const BusLine& 
 void SignalEngine::make_chain(const BusLine& grant, const std::vector<int>& masters) {
   const BusLine* left = &grant;
   for (const int master : masters) {
-    BusLine& right = make_link();
+    BusLine& right = make_link(master);
     make_master(master, grant, *left, right);
     left = &right;
   }
@@ -94,16 +106,17 @@ void SignalEngine::make_chain(const BusLine& grant, const std::vector<int>& mast
 void SignalEngine::make_ring() {
   const BusLine& grant = lines_.grant[0];
   const int masters = panel_.parts.masters.count();
-  BusLine& first = make_link();
+  if (masters == 0) {
+    return;
+  }
+  BusLine& first = make_link(masters - 1);
   const BusLine* left = &first;
   for (int master = 0; master < masters; ++master) {
-    BusLine& right = master + 1 < masters ? make_link() : first;
+    BusLine& right = master + 1 < masters ? make_link(master) : first;
     make_master(master, grant, *left, right);
     left = &right;
   }
-  if (masters > 0) {
-    slots_.back()->start_ring(true);
-  }
+  slots_.back()->start_ring(true);
 }
 
 }  // namespace maquette::models

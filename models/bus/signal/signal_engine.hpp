@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <systemc>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "models/bus/signal/grant_slot.hpp"
 #include "models/bus/signal/line_arbiter.hpp"
 #include "models/bus/signal/line_monitor.hpp"
+#include "models/bus/signal/line_watch.hpp"
 #include "models/bus/signal/master_interface.hpp"
 #include "models/bus/signal/settling.hpp"
 #include "models/bus/signal/slave_interface.hpp"
@@ -34,14 +36,15 @@ class SignalEngine : public sc_core::sc_module, public BusEngine {
 
   void enter(int master, Instant request) override;
   void advance() override {}
-  void trace_lines(sc_core::sc_trace_file* file) const override;
+  void observe_lines(const LineObserver& observer) override { watch_.emplace(observer); }
 
  private:
   void before_end_of_elaboration() override;
   void make_chain(const BusLine& grant, const std::vector<int>& masters);
   void make_ring();
   void make_master(int master, const BusLine& grant, const BusLine& left, BusLine& right);
-  BusLine& make_link();
+  BusLine& make_link(int master);
+  void watch_lines();
 
   unsigned word_bytes_;
   BusLines lines_;
@@ -50,10 +53,11 @@ class SignalEngine : public sc_core::sc_module, public BusEngine {
   LineArbiter arbiter_;
   BusTimer timer_;
   Backpanel panel_;
-  std::vector<std::unique_ptr<BusLine>> links_;  // of the chain
+  std::vector<std::unique_ptr<BusLine>> links_;  // of the chains, by the master that drives them
   std::vector<std::unique_ptr<GrantSlot>> slots_;
   std::vector<std::unique_ptr<MasterInterface>> masters_;  // by number
   std::vector<std::unique_ptr<SlaveInterface>> slaves_;
+  std::optional<LineWatch> watch_;
 };
 
 }  // namespace maquette::models
