@@ -248,9 +248,11 @@ void add_run_command(CLI::App& program, const std::vector<std::string>& command,
   CLI::App& verb = *program.add_subcommand(
       "run", "simulate a scene on a machine: picture, frame time, where it went");
   add_options(verb, *options);
-  add_footer(verb, {},
-             {"maquette run photo4", "maquette run photo4 --set processors=8 --outdir runs/eight",
-              "maquette run photo4 --machine m68020 --snapshot \"60 s\""});
+  add_footer(
+      verb, {},
+      {"maquette run photo4", "maquette run photo4 --set processors=8 --outdir runs/eight",
+       "maquette run photo4 --machine m68020 --snapshot \"60 s\"",
+       "maquette run photo4 --bus signal --trace-lines lines.vcd --trace-window \"1 s..1.01 s\""});
   verb.callback([options, &command, &exit_code] { exit_code = run(*options, command); });
 }
 
