@@ -1,5 +1,6 @@
 #include "models/board/instruction_processor.hpp"
 
+#include <algorithm>
 #include <ios>
 #include <sstream>
 #include <systemc>
@@ -74,8 +75,10 @@ void InstructionProcessor::run(BoardProgram& program) {
   }
 }
 
+// At the second access of an instruction the account lacks the clocks of the first, which it has
+// left to the bus already: that access follows at once.
 void InstructionProcessor::spend(const ProgramEvent& event) {
-  const Duration elapsed = time_.elapsed(event.account, event.work);
+  const Duration elapsed = std::max(time_.elapsed(event.account, event.work), spent_);
   processor_.compute(elapsed - spent_);
   spent_ = elapsed;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "models/bus/period.hpp"
 
 namespace maquette::models {
@@ -12,9 +14,13 @@ struct AccessLaw {
   Duration access_slack;  ///< slave access time up to which there is none
 
   /// A processor that waits counts whole clocks: access_clocks, and one more for each clock begun
-  /// beyond the slack (VM02 data sheet p. 2-57).
+  /// beyond the slack (VM02 data sheet p. 2-57). It never ends an access before its acknowledge,
+  /// which the slack alone would have it do when it is longer than the access_clocks: assumption
+  /// for processors of more than some 71 MHz, of which the data sheet does not speak.
   [[nodiscard]] Duration duration(Duration slave_access_time) const {
-    return clock.times(access_clocks + clock.count_to_cover(slave_access_time - access_slack));
+    return clock.times(
+        std::max(access_clocks + clock.count_to_cover(slave_access_time - access_slack),
+                 clock.count_to_cover(slave_access_time)));
   }
 };
 

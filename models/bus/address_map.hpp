@@ -26,6 +26,7 @@ class AddressMap {
   /// The number of the slave at `address`, or k_unmapped.
   [[nodiscard]] int find(std::uint64_t address) const;
 
+  [[nodiscard]] int count() const { return static_cast<int>(ranges_.size()); }
   [[nodiscard]] const AddressRange& operator[](int slave) const {
     return ranges_[static_cast<std::size_t>(slave)];
   }

@@ -26,6 +26,13 @@ struct Contenders {
   [[nodiscard]] const Contender* end() const { return last; }
 };
 
+/// Along which of its lines the backplane's grant goes from board to board, each of which passes it
+/// on unless it wants the bus. That is a policy in hardware: it chooses as `choose` does.
+enum class GrantChain {
+  levels,  ///< one chain per request level, by position; the highest level that requests is granted
+  ring     ///< one ring of all masters by number, from the one after the last that had the bus
+};
+
 /// Which master the arbiter of the bus prefers among those of the same instant. A policy is a
 /// constant in a file of its own and a row of arbitration_policies.hpp.
 struct ArbitrationPolicy {
@@ -36,6 +43,7 @@ struct ArbitrationPolicy {
   int (*choose)(const Contenders& contenders, int previous);
 
   bool clears_bus;  ///< a request of a strictly higher level ends another's block (BCLR)
+  GrantChain chain;
 };
 
 constexpr bool operator==(const ArbitrationPolicy& a, const ArbitrationPolicy& b) {

@@ -8,6 +8,7 @@ namespace maquette::models {
 /// (VM02 data sheet p. 2-54 and 2-58; order in the chain as on its successor VMEbus).
 [[nodiscard]] int choose_by_priority(const Contenders& contenders, int previous);
 
-inline constexpr ArbitrationPolicy k_priority{"priority", choose_by_priority, true};
+inline constexpr ArbitrationPolicy k_priority{"priority", choose_by_priority, true,
+                                              GrantChain::levels};
 
 }  // namespace maquette::models

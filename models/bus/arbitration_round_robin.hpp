@@ -8,6 +8,7 @@ namespace maquette::models {
 /// previous master the lowest number.
 [[nodiscard]] int choose_in_turn(const Contenders& contenders, int previous);
 
-inline constexpr ArbitrationPolicy k_round_robin{"round_robin", choose_in_turn, false};
+inline constexpr ArbitrationPolicy k_round_robin{"round_robin", choose_in_turn, false,
+                                                 GrantChain::ring};
 
 }  // namespace maquette::models

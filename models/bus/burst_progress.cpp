@@ -1,6 +1,7 @@
 #include "models/bus/burst_progress.hpp"
 
 #include "models/bus/bus_misuse.hpp"
+#include "models/bus/bus_word.hpp"
 
 namespace maquette::models {
 
@@ -34,15 +35,7 @@ std::uint64_t BurstProgress::address() const {
                                          : transaction_->addresses[index];
 }
 
-std::uint32_t BurstProgress::word() const {
-  constexpr unsigned k_bits_per_byte = 8;
-  const unsigned char* byte = bytes();
-  std::uint32_t word = 0;
-  for (unsigned i = 0; i < word_bytes_; ++i) {
-    word = word << k_bits_per_byte | *byte++;
-  }
-  return word;
-}
+std::uint32_t BurstProgress::word() const { return word_of(bytes(), word_bytes_); }
 
 tlm::tlm_generic_payload& BurstProgress::access_of_slave(std::uint64_t offset, Instant strobe) {
   access_.set_address(offset);

@@ -36,6 +36,7 @@ class BurstProgress {
     return burst_->get_data_ptr() + static_cast<std::size_t>(transaction_->accesses) * word_bytes_;
   }
   [[nodiscard]] std::uint32_t word() const;
+  [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
 
   /// Whether others come after the access that is next.
   [[nodiscard]] bool has_more() const { return transaction_->accesses + 1 < accesses_; }

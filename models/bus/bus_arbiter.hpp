@@ -1,21 +1,13 @@
 #pragma once
 
 #include "models/bus/arbitration.hpp"
+#include "models/bus/bus_grant.hpp"
 #include "models/bus/instant.hpp"
 
 namespace maquette::models {
 
-/// Who has the bus next, and from when on.
-struct BusGrant {
-  int master;
-  Instant request;
-  Instant decision;  ///< its arbitration begins; the grant itself when it needed none
-  Instant grant;
-  bool kept = false;  ///< until the decision, the master of the access before kept the bus
-};
-
-/// How the bus behaves: which of the requests is granted next, and when. Each BusLevel
-/// makes one; the bus itself does not know which one it has.
+/// How the bus behaves: which of the requests is granted next, and when. An
+/// ArbitratedEngine has one, which its BusLevel makes.
 class BusArbiter {
  public:
   BusArbiter() = default;

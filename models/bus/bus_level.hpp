@@ -3,11 +3,10 @@
 #include <memory>
 #include <string_view>
 
-#include "models/bus/bus_account.hpp"
-#include "models/bus/bus_arbiter.hpp"
-
 namespace maquette::models {
 
+class BusEngine;
+struct BusParts;
 struct VersaBusParameters;
 
 /// How exactly the bus is simulated. A level is a constant in a file of its own and a row of
@@ -17,11 +16,11 @@ struct BusLevel {
   std::string_view sentence;  ///< what it does with requests, for people
   bool has_quantum;           ///< VersaBusParameters::quantum says something about it
   bool is_exclusive;          ///< one master has the bus at a time
+  bool has_lines;             ///< there is something to see for VersaBus::observe_lines
 
-  /// The arbiter of a bus of these parameters. It keeps the account of queues and occupation, by
-  /// reference.
-  std::unique_ptr<BusArbiter> (*make_arbiter)(const VersaBusParameters& parameters,
-                                              BusAccount& account);
+  /// The engine of a bus of these parameters, within the module under construction.
+  std::unique_ptr<BusEngine> (*make_engine)(const VersaBusParameters& parameters,
+                                            const BusParts& parts);
 };
 
 constexpr bool operator==(const BusLevel& a, const BusLevel& b) { return a.name == b.name; }

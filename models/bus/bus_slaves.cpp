@@ -3,14 +3,9 @@
 #include <algorithm>
 
 #include "models/bus/kernel_time.hpp"
+#include "models/bus/test_and_set.hpp"
 
 namespace maquette::models {
-
-namespace {
-
-constexpr unsigned char k_taken = 0x80;  // what TAS sets
-
-}  // namespace
 
 void BusSlaves::attach(tlm::tlm_base_target_socket<>& socket, const AddressRange& range) {
   address_map_.add(range);
@@ -28,15 +23,15 @@ AccessResult BusSlaves::transfer(BurstProgress& burst, const AccessLaw& law, Ins
   const std::uint64_t address = burst.address();
   const int slave = address_map_.find(address);
   if (slave == AddressMap::k_unmapped) {
-    const Duration unanswered = timeout_ > Duration::zero() ? timeout_ : law.duration({});
-    return {unanswered, unanswered, tlm::TLM_ADDRESS_ERROR_RESPONSE};
+    const bool times_out = timeout_ > Duration::zero();
+    return {times_out ? timeout_ : law.duration({}), timeout_, tlm::TLM_ADDRESS_ERROR_RESPONSE};
   }
   tlm::tlm_generic_payload& access =
       burst.access_of_slave(address - address_map_[slave].base, strobe);
   access.set_command(command);
   const Duration offset = std::max(strobe - kernel_now(), Duration::zero());
   sc_core::sc_time delay = to_sc_time(offset);
-  sockets_[slave]->b_transport(access, delay);
+  transport(slave, access, delay);
   const Duration slave_time = to_duration(delay) - offset;
   if (timeout_ > Duration::zero() && slave_time > timeout_) {
     return {timeout_, timeout_, tlm::TLM_GENERIC_ERROR_RESPONSE};
@@ -54,7 +49,7 @@ AccessResult BusSlaves::test_and_set(BurstProgress& burst, const AccessLaw& law,
   unsigned char& first_byte = *burst.bytes();
   const unsigned char value = first_byte;
   const Duration until_write = read.duration + burst.transaction().modify;
-  first_byte = static_cast<unsigned char>(value | k_taken);
+  first_byte = taken(value);
   const AccessResult write = transfer(burst, law, strobe + until_write, tlm::TLM_WRITE_COMMAND);
   first_byte = value;
   const bool is_written = write.status == tlm::TLM_OK_RESPONSE;

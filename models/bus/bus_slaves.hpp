@@ -35,9 +35,15 @@ class BusSlaves {
   /// master.
   AccessResult access(BurstProgress& burst, const AccessLaw& law, Instant strobe);
 
+  /// Has a slave do a transfer, of an address relative to its base.
+  void transport(int slave, tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
+    sockets_[slave]->b_transport(payload, delay);
+  }
+
   /// Passes a debug transport on.
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
 
+  [[nodiscard]] Duration timeout() const { return timeout_; }
   [[nodiscard]] const AddressMap& address_map() const { return address_map_; }
 
  private:

@@ -5,11 +5,11 @@
 namespace maquette::models {
 
 /// The QueueingArbiter whose masters run ahead of one another for the bus's quantum.
-[[nodiscard]] std::unique_ptr<BusArbiter> make_decoupled_arbiter(
-    const VersaBusParameters& parameters, BusAccount& account);
+[[nodiscard]] std::unique_ptr<BusEngine> make_decoupled_engine(const VersaBusParameters& parameters,
+                                                               const BusParts& parts);
 
-inline constexpr BusLevel k_decoupled_level{"decoupled",
-                                            "boards that run ahead of one another for a quantum",
-                                            true, true, make_decoupled_arbiter};
+inline constexpr BusLevel k_decoupled_level{
+    "decoupled",          "boards that run ahead of one another for a quantum", true, true, false,
+    make_decoupled_engine};
 
 }  // namespace maquette::models

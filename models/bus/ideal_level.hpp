@@ -5,10 +5,10 @@
 namespace maquette::models {
 
 /// The IdealArbiter.
-[[nodiscard]] std::unique_ptr<BusArbiter> make_ideal_arbiter(const VersaBusParameters& parameters,
-                                                             BusAccount& account);
+[[nodiscard]] std::unique_ptr<BusEngine> make_ideal_engine(const VersaBusParameters& parameters,
+                                                           const BusParts& parts);
 
 inline constexpr BusLevel k_ideal_level{"ideal", "no contention at all", false, false,
-                                        make_ideal_arbiter};
+                                        false,   make_ideal_engine};
 
 }  // namespace maquette::models

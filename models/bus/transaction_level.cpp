@@ -1,13 +1,16 @@
 #include "models/bus/transaction_level.hpp"
 
+#include "models/bus/arbitrated_engine.hpp"
 #include "models/bus/queueing_arbiter.hpp"
 #include "models/bus/versabus_parameters.hpp"
 
 namespace maquette::models {
 
-std::unique_ptr<BusArbiter> make_transaction_arbiter(const VersaBusParameters& parameters,
-                                                     BusAccount& account) {
-  return std::make_unique<QueueingArbiter>(parameters, Duration::zero(), account);
+std::unique_ptr<BusEngine> make_transaction_engine(const VersaBusParameters& parameters,
+                                                   const BusParts& parts) {
+  return std::make_unique<ArbitratedEngine>(
+      "engine", std::make_unique<QueueingArbiter>(parameters, Duration::zero(), parts.account),
+      parts);
 }
 
 }  // namespace maquette::models

@@ -5,11 +5,11 @@
 namespace maquette::models {
 
 /// The QueueingArbiter without a quantum: exact.
-[[nodiscard]] std::unique_ptr<BusArbiter> make_transaction_arbiter(
-    const VersaBusParameters& parameters, BusAccount& account);
+[[nodiscard]] std::unique_ptr<BusEngine> make_transaction_engine(
+    const VersaBusParameters& parameters, const BusParts& parts);
 
-inline constexpr BusLevel k_transaction_level{"transaction",
-                                              "every request arbitrated at its instant", false,
-                                              true, make_transaction_arbiter};
+inline constexpr BusLevel k_transaction_level{
+    "transaction",          "every request arbitrated at its instant", false, true, false,
+    make_transaction_engine};
 
 }  // namespace maquette::models

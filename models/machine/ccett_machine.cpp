@@ -152,6 +152,13 @@ void CcettMachine::observe_bus(const std::function<void(const BusAccess&)>& obse
   }
 }
 
+void CcettMachine::observe_lines(
+    const std::function<void(std::size_t backplane, const LineState&)>& observer) {
+  for (std::size_t port = 0; port < buses_.size(); ++port) {
+    buses_[port]->observe_lines([observer, port](const LineState& line) { observer(port, line); });
+  }
+}
+
 std::optional<Instant> CcettMachine::finished() const {
   Instant last{};
   for (const auto& board : boards_) {

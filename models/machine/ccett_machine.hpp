@@ -66,6 +66,10 @@ class CcettMachine : public sc_core::sc_module {
   /// after them, as its master; in the order of time on each backplane.
   void observe_bus(const std::function<void(const BusAccess&)>& observer);
 
+  /// Every line of the backplanes is shown to `observer`, with the number of its backplane, as
+  /// VersaBus::observe_lines does.
+  void observe_lines(const std::function<void(std::size_t backplane, const LineState&)>& observer);
+
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
   [[nodiscard]] std::size_t backplanes() const { return buses_.size(); }

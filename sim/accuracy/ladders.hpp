@@ -13,7 +13,8 @@ namespace maquette::sim {
 /// the time of a pixel.
 [[nodiscard]] std::vector<std::string> default_quanta();
 
-/// The bus exact, decoupled by each quantum (a time with its unit), and ideal.
+/// The bus by its lines, by its accesses, decoupled by each quantum (a time with its unit), and
+/// ideal.
 [[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
 
 /// The boards' program executed instruction by instruction, for one in `share` pixels when that

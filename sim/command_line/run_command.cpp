@@ -42,9 +42,7 @@ struct RunOptions {
   int threads = 0;
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
-  std::vector<std::string> traces;
-  std::string trace_window;
-  std::string trace_boards;
+  TraceOptions trace;
   bool quiet = false;
 };
 
@@ -78,16 +76,20 @@ void add_options(CLI::App& verb, RunOptions& options) {
       ->type_name("TIME")
       ->expected(1)
       ->take_all();
-  verb.add_option("--trace", options.traces,
+  verb.add_option("--trace", options.trace.files,
                   "write what happens on the bus: .json for ui.perfetto.dev and chrome://tracing, "
                   ".vcd for GTKWave (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();
-  verb.add_option("--trace-window", options.trace_window,
+  verb.add_option("--trace-lines", options.trace.lines,
+                  "write what the lines of the backplane show, as a .vcd for GTKWave; with --bus "
+                  "signal, which simulates them")
+      ->type_name("FILE");
+  verb.add_option("--trace-window", options.trace.window,
                   "trace only this part of the frame, e.g. \"1 s..1.01 s\"; either may be left out")
       ->type_name("T0..T1");
-  verb.add_option("--trace-boards", options.trace_boards,
+  verb.add_option("--trace-boards", options.trace.boards,
                   "give only these boards tracks of their own, e.g. 0,2..3")
       ->type_name("LIST");
   verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
@@ -136,14 +138,20 @@ void add_pictures(const std::string& name, const std::vector<models::Duration>& 
   }
 }
 
-std::vector<std::string_view> exclusive_levels() {
-  std::vector<std::string_view> names;
-  for (const models::BusLevel& level : models::k_bus_levels) {
-    if (level.is_exclusive) {
-      names.push_back(level.name);
+/// Refuses a trace at a level of the bus that does not have what it shows; names those that do.
+void check_level(const models::BusLevel& level, bool models::BusLevel::*has,
+                 const std::string& what) {
+  if (level.*has) {
+    return;
+  }
+  std::vector<std::string_view> allowed;
+  for (const models::BusLevel& other : models::k_bus_levels) {
+    if (other.*has) {
+      allowed.push_back(other.name);
     }
   }
-  return names;
+  throw DescriptionError(
+      fmt::format("{}; bus.level {} is allowed with it", what, fmt::join(allowed, " or ")));
 }
 
 Description described(const RunOptions& options) {
@@ -152,10 +160,14 @@ Description described(const RunOptions& options) {
     sources.overrides.push_back(override_text);
   }
   Description description = load_description(sources);
-  if (!options.traces.empty() && !description.machine.parameters.bus.level.is_exclusive) {
-    throw DescriptionError(fmt::format(
-        "--trace shows one master of the bus at a time; bus.level {} is allowed with it",
-        fmt::join(exclusive_levels(), " or ")));
+  const models::BusLevel& level = description.machine.parameters.bus.level;
+  if (!options.trace.files.empty()) {
+    check_level(level, &models::BusLevel::is_exclusive,
+                "--trace shows one master of the bus at a time");
+  }
+  if (!options.trace.lines.empty()) {
+    check_level(level, &models::BusLevel::has_lines,
+                "--trace-lines shows the lines of the backplane");
   }
   return description;
 }
@@ -172,8 +184,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   request.threads = options.threads > 0 ? options.threads : processors;
   request.snapshots = instants_of(options.snapshots, "--snapshot");
   request.shown_snapshots = instants_of(options.shown_snapshots, "--snapshot-shown");
-  TraceRequest trace = trace_request(options.traces, options.trace_window, options.trace_boards,
-                                     description.machine.parameters.boards.size());
+  TraceRequest trace = trace_request(options.trace, description.machine.parameters.boards.size());
   if (!trace.files.empty()) {
     request.trace = trace.window;
   }
@@ -187,6 +198,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
                              : std::filesystem::path(options.outdir);
   create_run_directory(directory);
   TraceFiles trace_files(std::move(trace));
+  request.lines = trace_files.lines();
 
   const std::optional<RecordedFrame> record =
       record_for(options, description, directory, request.threads);
@@ -216,8 +228,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
   files.push_back({"manifest.json",
                    manifest_json(manifest_of(command, description.input_files, host_time_s()))});
-  fmt::print(stderr, "{}", trace_files.remarks(result.trace));
-  trace_files.write(result.trace);
+  const models::Instant frame_end = result.statistics.frame.time;
+  fmt::print(stderr, "{}", trace_files.remarks(result.trace, frame_end));
+  trace_files.write(result.trace, frame_end);
   write_files(directory, files);
   if (!options.quiet) {
     fmt::print("{}\n{}\n", summarise(result.statistics, result.times_from, host_time_s()),
@@ -233,9 +246,11 @@ void add_run_command(CLI::App& program, const std::vector<std::string>& command,
   CLI::App& verb = *program.add_subcommand(
       "run", "simulate a scene on a machine: picture, frame time, where it went");
   add_options(verb, *options);
-  add_footer(verb, {},
-             {"maquette run photo4", "maquette run photo4 --set processors=8 --outdir runs/eight",
-              "maquette run photo4 --machine m68020 --snapshot \"60 s\""});
+  add_footer(
+      verb, {},
+      {"maquette run photo4", "maquette run photo4 --set processors=8 --outdir runs/eight",
+       "maquette run photo4 --machine m68020 --snapshot \"60 s\"",
+       "maquette run photo4 --bus signal --trace-lines lines.vcd --trace-window \"1 s..1.01 s\""});
   verb.callback([options, &command, &exit_code] { exit_code = run(*options, command); });
 }
 

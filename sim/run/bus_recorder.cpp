@@ -67,13 +67,15 @@ void add(const RecordedAccess& access, const TraceWindow& window, RecordedBus& b
 
 }  // namespace
 
+std::string backplane_name(std::size_t backplane) {
+  return backplane == 0 ? "versabus" : fmt::format("versabus{}", backplane);
+}
+
 void start_record(models::CcettMachine& model, const TraceWindow& window, BusRecord& record) {
   record.window = window;
   for (std::size_t i = 0; i < model.backplanes(); ++i) {
-    record.buses.push_back({i == 0 ? "versabus" : fmt::format("versabus{}", i),
-                            static_cast<int>(8 * model.bus(i).word_bytes()),
-                            {},
-                            {}});
+    record.buses.push_back(
+        {backplane_name(i), static_cast<int>(8 * model.bus(i).word_bytes()), {}, {}});
   }
   model.observe_bus([&model, &record](const BusAccess& access) {
     if (const auto start = model.started()) {

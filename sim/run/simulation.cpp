@@ -18,6 +18,7 @@
 #include "sim/run/bus_recorder.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_statistics.hpp"
+#include "sim/run/line_recorder.hpp"
 #include "sim/run/recorded_source.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -163,6 +164,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   SimulationResult result;
   if (request.trace) {
     start_record(model, *request.trace, result.trace);
+  }
+  if (request.lines != nullptr) {
+    record_lines(model, *request.lines);
   }
   run_kernel(model, setup.useful_zone, go_on);
   if (model.finished()) {

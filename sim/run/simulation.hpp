@@ -13,6 +13,7 @@
 #include "sim/run/calibration.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/trace/bus_record.hpp"
+#include "sim/trace/line_trace.hpp"
 
 namespace maquette::sim {
 
@@ -26,6 +27,7 @@ struct SimulationRequest {
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
   std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
+  LineTrace* lines = nullptr;                     ///< shows the backplanes' lines, if given
 };
 
 /// Called now and then with the simulated time and the share of pixels done; false ends the run.

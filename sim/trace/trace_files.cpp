@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include "sim/report/seconds.hpp"
 
@@ -19,9 +20,12 @@ TraceFiles::TraceFiles(TraceRequest request) : request_(std::move(request)) {
   for (const std::string& file : request_.files) {
     files_.emplace_back(file);
   }
+  if (!request_.lines.empty()) {
+    lines_.emplace(request_.lines, request_.window);
+  }
 }
 
-std::string TraceFiles::remarks(const BusRecord& record) const {
+std::string TraceFiles::remarks(const BusRecord& record, models::Instant frame_end) const {
   std::string text;
   for (const std::string& file : request_.files) {
     if (const std::int64_t bytes = trace_format(file).expected_bytes(record);
@@ -29,15 +33,21 @@ std::string TraceFiles::remarks(const BusRecord& record) const {
       text += fmt::format("{}: will take about {} MB; --trace-window makes it smaller\n", file,
                           bytes / k_megabyte);
     }
-    if (record.window.from >= record.window.to) {
+  }
+  if (request_.window.from >= frame_end) {
+    std::vector<std::string> empty = request_.files;
+    if (lines_) {
+      empty.push_back(request_.lines);
+    }
+    for (const std::string& file : empty) {
       text += fmt::format("{}: is empty, the frame ended after {}\n", file,
-                          readable_duration(record.window.to));
+                          readable_duration(frame_end));
     }
   }
   return text;
 }
 
-void TraceFiles::write(const BusRecord& record) {
+void TraceFiles::write(const BusRecord& record, models::Instant frame_end) {
   auto file = files_.begin();
   for (const std::string& name : request_.files) {
     trace_format(name).write(record, request_.boards, file->stream());
@@ -45,6 +55,9 @@ void TraceFiles::write(const BusRecord& record) {
   }
   for (OutputFile& written : files_) {
     written.publish();
+  }
+  if (lines_) {
+    lines_->publish(frame_end);
   }
 }
 

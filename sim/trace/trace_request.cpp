@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <filesystem>
 #include <set>
 #include <stdexcept>
 
@@ -92,6 +93,30 @@ std::vector<std::size_t> boards_of(const std::string& text, std::size_t count) {
   return {boards.begin(), boards.end()};
 }
 
+void check_files(const TraceOptions& options) {
+  for (const std::string& file : options.files) {
+    static_cast<void>(trace_format(file));
+    if (std::count(options.files.begin(), options.files.end(), file) > 1 || file == options.lines) {
+      fail("--trace", file, "is given twice; allowed: each file once");
+    }
+  }
+  if (!options.lines.empty() &&
+      std::filesystem::path(options.lines).extension() != k_vcd_trace.extension) {
+    fail("--trace-lines", options.lines,
+         fmt::format("is no value change dump; allowed: {}", k_vcd_trace.extension));
+  }
+}
+
+void check_companions(const TraceOptions& options) {
+  if (options.files.empty() && !options.boards.empty()) {
+    fail("--trace-boards", options.boards, "traces nothing; allowed: beside --trace FILE");
+  }
+  if (options.files.empty() && options.lines.empty() && !options.window.empty()) {
+    fail("--trace-window", options.window,
+         "traces nothing; allowed: beside --trace FILE or --trace-lines FILE");
+  }
+}
+
 }  // namespace
 
 const TraceFormat& trace_format(const std::string& file) {
@@ -102,25 +127,17 @@ const TraceFormat& trace_format(const std::string& file) {
   return *format;
 }
 
-TraceRequest trace_request(const std::vector<std::string>& files, const std::string& window,
-                           const std::string& boards, std::size_t board_count) {
+TraceRequest trace_request(const TraceOptions& options, std::size_t board_count) {
+  check_companions(options);
+  check_files(options);
   TraceRequest request;
-  request.files = files;
-  if (files.empty() && (!window.empty() || !boards.empty())) {
-    fail(window.empty() ? "--trace-boards" : "--trace-window", window.empty() ? boards : window,
-         "traces nothing; allowed: beside --trace FILE");
+  request.files = options.files;
+  request.lines = options.lines;
+  if (!options.window.empty()) {
+    request.window = window_of(options.window);
   }
-  for (const std::string& file : files) {
-    static_cast<void>(trace_format(file));
-    if (std::count(files.begin(), files.end(), file) > 1) {
-      fail("--trace", file, "is given twice; allowed: each file once");
-    }
-  }
-  if (!window.empty()) {
-    request.window = window_of(window);
-  }
-  request.boards =
-      boards_of(boards.empty() ? fmt::format("0..{}", board_count - 1) : boards, board_count);
+  const std::string all_boards = fmt::format("0..{}", board_count - 1);
+  request.boards = boards_of(options.boards.empty() ? all_boards : options.boards, board_count);
   return request;
 }
 

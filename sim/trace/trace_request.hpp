@@ -9,9 +9,18 @@
 
 namespace maquette::sim {
 
+/// The texts of a command line about traces; those that are not given are empty.
+struct TraceOptions {
+  std::vector<std::string> files;
+  std::string lines;
+  std::string window;
+  std::string boards;
+};
+
 /// What of a run is to be traced, and where to.
 struct TraceRequest {
-  std::vector<std::string> files;  ///< as given; none: nothing is traced
+  std::vector<std::string> files;  ///< as given; none: no accesses are traced
+  std::string lines;               ///< file for the backplanes' lines; empty: they are not traced
   TraceWindow window;
   std::vector<std::size_t> boards;  ///< whose tracks are written, ascending
 };
@@ -19,10 +28,10 @@ struct TraceRequest {
 /// The format that a file's extension names. Throws DescriptionError for another one.
 const TraceFormat& trace_format(const std::string& file);
 
-/// Checks the texts of a command line: `window` is "T0..T1", times with units from the frame's
-/// start, of which each may be left out; `boards` is a list of numbers and ranges, e.g. "0,2..3",
-/// and empty for all of them. Throws DescriptionError that says what is wrong and what is allowed.
-TraceRequest trace_request(const std::vector<std::string>& files, const std::string& window,
-                           const std::string& boards, std::size_t board_count);
+/// Checks the texts of a command line: the window is "T0..T1", times with units from the frame's
+/// start, of which each may be left out; the boards are a list of numbers and ranges, e.g.
+/// "0,2..3", and empty for all of them; the lines go to a .vcd. Throws DescriptionError that says
+/// what is wrong and what is allowed.
+TraceRequest trace_request(const TraceOptions& options, std::size_t board_count);
 
 }  // namespace maquette::sim

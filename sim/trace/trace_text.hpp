@@ -25,13 +25,13 @@ class TraceText {
     }
   }
 
- private:
-  static constexpr std::size_t k_piece_bytes = 1U << 16U;
-
   void flush() {
     stream_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
     buffer_.clear();
   }
+
+ private:
+  static constexpr std::size_t k_piece_bytes = 1U << 16U;
 
   std::ostream& stream_;
   fmt::memory_buffer buffer_;

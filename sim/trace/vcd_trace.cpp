@@ -1,10 +1,12 @@
 #include "sim/trace/vcd_trace.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/trace/board_states.hpp"
-#include "sim/trace/trace_text.hpp"
+#include "sim/trace/vcd_text.hpp"
 
 namespace maquette::sim {
 
@@ -19,15 +21,12 @@ constexpr int k_state_bits = 2;
 static_assert(static_cast<int>(BoardState::idle) < 1 << k_state_bits);
 constexpr std::uint32_t k_minus_one = ~std::uint32_t{0};
 
-constexpr const char* k_header = R"($comment
-  Transaction-level trace of the VERSAbus; time 0 is the frame's start. Names that end in _n are
+constexpr std::string_view k_comment =
+    R"(  Transaction-level trace of the VERSAbus; time 0 is the frame's start. Names that end in _n are
   active low. Exact instants: BR (request to grant), BG (begin of the arbitration to grant), BBSY
   (grant to release), DTACK falling (the slave's answer), and the end of each access. Derived within
   an access: AS and DS fall together at the grant and rise together with DTACK and WRITE at its end,
   as the access law counts its clocks; skews of single lines are below this level.
-$end
-$version maquette $end
-$timescale 1 ps $end
 )";
 
 // How a signal's changes make its value.
@@ -175,110 +174,39 @@ void dump_board(Dump& dump, const BusRecord& record, std::size_t board) {
   }
 }
 
-// A signal's short name in the file: its number with the digits '!' to '~'.
-std::string identifier(std::size_t number) {
-  constexpr std::size_t k_digits = '~' - '!' + 1;
-  std::string text;
-  do {
-    text += static_cast<char>('!' + number % k_digits);
-    number /= k_digits;
-  } while (number > 0);
-  return text;
-}
-
+// The signals as variables of a dump, which changes are applied to in turn.
 class VcdTrace {
  public:
   VcdTrace(const Dump& dump, std::ostream& stream)
-      : signals_(dump.signals), states_(dump.signals.size()), text_(stream) {}
-
-  void declare() {
-    text_.add("{}", k_header);
-    std::string scope;
+      : signals_(dump.signals), counts_(dump.signals.size()), text_(stream) {
     for (std::size_t i = 0; i < signals_.size(); ++i) {
       const Signal& signal = signals_[i];
-      if (signal.scope != scope) {
-        text_.add("{}$scope module {} $end\n", scope.empty() ? "" : "$upscope $end\n",
-                  signal.scope);
-        scope = signal.scope;
+      text_.add({signal.scope, signal.name, signal.bits});
+      if (is_count(signal.kind)) {
+        text_.set(i, k_high);
       }
-      states_[i].identifier = identifier(i);
-      text_.add("$var wire {} {} {}{} $end\n", signal.bits, states_[i].identifier, signal.name,
-                signal.bits > 1 ? fmt::format(" [{}:0]", signal.bits - 1) : "");
     }
-    text_.add("{}$enddefinitions $end\n", scope.empty() ? "" : "$upscope $end\n");
+    text_.declare(k_comment);
   }
 
   void apply(const Change& change) {
-    State& state = states_[change.signal];
-    const bool adds = is_count(signals_[change.signal].kind);
-    state.value = adds ? state.value + change.value : change.value;
-    state.floats = change.floats;
-    if (!state.is_touched) {
-      state.is_touched = true;
-      touched_.push_back(change.signal);
+    if (is_count(signals_[change.signal].kind)) {
+      counts_[change.signal] += change.value;
+      text_.set(change.signal, counts_[change.signal] > 0 ? k_low : k_high);
+    } else {
+      text_.set(change.signal, change.floats ? std::nullopt : std::optional(change.value));
     }
   }
 
-  void show_all(Instant at) {
-    text_.add("#{}\n$dumpvars\n", at.count());
-    for (std::size_t i = 0; i < states_.size(); ++i) {
-      states_[i].shown = shown_value(i);
-      text_.add("{}", states_[i].shown);
-    }
-    text_.add("$end\n");
-    forget_touched();
-  }
-
-  void show_touched(Instant at) {
-    bool is_stamped = false;
-    std::sort(touched_.begin(), touched_.end());
-    for (const std::uint16_t signal : touched_) {
-      std::string value = shown_value(signal);
-      if (value != states_[signal].shown) {
-        if (!is_stamped) {
-          stamp(at);
-          is_stamped = true;
-        }
-        text_.add("{}", value);
-        states_[signal].shown = std::move(value);
-      }
-    }
-    forget_touched();
-  }
-
-  void stamp(Instant at) { text_.add("#{}\n", at.count()); }
+  VcdText& text() { return text_; }
 
  private:
-  struct State {
-    std::string identifier;
-    std::string shown;
-    std::uint32_t value = 0;
-    bool floats = true;
-    bool is_touched = false;
-  };
-
-  [[nodiscard]] std::string shown_value(std::size_t number) const {
-    const Signal& signal = signals_[number];
-    const State& state = states_[number];
-    if (is_count(signal.kind)) {
-      return fmt::format("{}{}\n", state.value > 0 ? 0 : 1, state.identifier);
-    }
-    const std::string value = state.floats ? "z" : fmt::format("{:b}", state.value);
-    return signal.bits == 1 ? fmt::format("{}{}\n", value, state.identifier)
-                            : fmt::format("b{} {}\n", value, state.identifier);
-  }
-
-  void forget_touched() {
-    for (const std::uint16_t signal : touched_) {
-      states_[signal].is_touched = false;
-    }
-    touched_.clear();
-  }
+  static constexpr std::uint64_t k_low = 0;
+  static constexpr std::uint64_t k_high = 1;
 
   const std::vector<Signal>& signals_;
-  std::vector<State> states_;
-  std::vector<std::uint16_t> touched_;
-  TraceText text_;
+  std::vector<std::uint32_t> counts_;  // of those that assert an active-low signal
+  VcdText text_;
 };
 
 }  // namespace
@@ -296,7 +224,6 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
                    [](const Change& a, const Change& b) { return a.at < b.at; });
 
   VcdTrace trace(dump, stream);
-  trace.declare();
   auto change = dump.changes.begin();
   const auto apply_until = [&](auto&& is_later) {
     for (; change != dump.changes.end() && !is_later(change->at); ++change) {
@@ -304,13 +231,13 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
     }
   };
   apply_until([&](Instant at) { return at > record.window.from; });
-  trace.show_all(record.window.from);
+  trace.text().show_all(record.window.from);
   while (change != dump.changes.end() && change->at < record.window.to) {
     const Instant now = change->at;
     apply_until([now](Instant at) { return at > now; });
-    trace.show_touched(now);
+    trace.text().show_changes(now);
   }
-  trace.stamp(record.window.to);
+  trace.text().end(record.window.to);
 }
 
 // Measured on whole frames.

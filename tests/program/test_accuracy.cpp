@@ -83,15 +83,17 @@ TEST_CASE("levels of the bus: the same picture, exact below an access, no wait w
                    "out")
               .exit_code == 0);
   const Json bus = ladder_of(errors_of(scratch, "out"), "bus");
-  REQUIRE(bus["levels"].size() == 4);
-  CHECK(bus["reference"] == "transaction");
+  REQUIRE(bus["levels"].size() == 5);
+  CHECK(bus["reference"] == "signal");
   for (const Json& level : bus["levels"]) {
     CHECK(level["picture_largest"] == 0);
     CHECK(level["picture_mean"] == 0);
   }
-  const Json exact = level_of(bus, "decoupled 500ns");
-  CHECK(exact["frame_time_error"] == 0);
-  CHECK(exact["wait_error_s"] == 0);
+  for (const char* name : {"transaction", "decoupled 500ns"}) {
+    const Json exact = level_of(bus, name);
+    CHECK(exact["frame_time_error"] == 0);
+    CHECK(exact["wait_error_s"] == 0);
+  }
   const Json ideal = level_of(bus, "ideal");
   CHECK(ideal["wait_s"] == 0);
   CHECK(ideal["wait_error"] == -1);
@@ -168,6 +170,19 @@ TEST_CASE("on a saturated bus no level but the exact one is right") {
   CHECK(level_of(bus, "ideal")["frame_time_error"].get<double>() < -0.05);
 }
 
+TEST_CASE("the lines of the bus are the reference of boards of any clock") {
+  const ScratchDirectory scratch;
+  REQUIRE(accuracy(scratch,
+                   "--ladder bus --repeats 1 --quiet --quantum 500ns --set board.clock=512MHz "
+                   "--set processors=16",
+                   "out")
+              .exit_code == 0);
+  const Json bus = ladder_of(errors_of(scratch, "out"), "bus");
+  CHECK(bus["reference"] == "signal");
+  CHECK(level_of(bus, "transaction")["frame_time_error"] == 0);
+  CHECK(level_of(bus, "transaction")["wait_error_s"] == 0);
+}
+
 TEST_CASE("roots that are less near take less simulated time") {
   const ScratchDirectory scratch;
   const std::string scene =
@@ -235,6 +250,6 @@ TEST_CASE("An unwritable directory, and a machine that does not work, leave noth
       accuracy(scratch, "--ladder bus --set \"frame_memory.access_time=30 us\"", "out");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 2);
-  CHECK(outcome.errors.find("level bus, transaction") != std::string::npos);
+  CHECK(outcome.errors.find("level bus, signal") != std::string::npos);
   CHECK(std::filesystem::is_empty(scratch / "out"));
 }

@@ -109,6 +109,8 @@ class VcdReader {
         last = instant;
       } else if (next == "$dumpvars") {
         REQUIRE(last == first);
+      } else if (next == "$comment") {
+        until_end();
       } else if (next != "$end") {
         read_value(next);
       }

@@ -24,6 +24,12 @@ void append_write(std::uint32_t address, std::uint32_t value, Words& words) {
   }
 }
 
+/// ORI.W #value, the address, which reads before it writes
+void append_or(std::uint32_t address, std::uint32_t value, Words& words) {
+  append_write(address, value, words);
+  words[words.size() - 4] = 0x0079;
+}
+
 /// So many NOPs, then a pixel of this colour, then STOP.
 Words program_of(int nops, std::uint32_t rgb) {
   const std::uint32_t address = 0x800000 + 4 * (k_pixel.row * 64 + k_pixel.column);
@@ -65,6 +71,28 @@ TEST_CASE("an executed program takes its instructions, the RAM's waits and its b
     check_states(statistics);
     CHECK_NOTHROW(runs[run - 1]->machine.verify_frame());
   }
+}
+
+TEST_CASE("no access of an instruction is requested before the one before it has ended") {
+  const std::uint32_t address = 0x800000 + 4 * (k_pixel.row * 64 + k_pixel.column);
+  Words words;
+  append_or(address, colour(k_pixel) >> 8U, words);
+  append_or(address + 2, colour(k_pixel) << 8U, words);
+  words.insert(words.end(), {0x4E72, 0x2700});
+  Run run("twice", machine(1), setup_of(words));
+  Instant end{};
+  int accesses = 0;
+  run.machine.observe_bus([&end, &accesses](const BusAccess& access) {
+    CHECK(access.request >= end);
+    end = access.end;
+    ++accesses;
+  });
+  sc_core::sc_start();
+  CHECK(accesses == 4);
+  // ORI.W #,xxx.L: 24(5/1), with four fetches, a read and a write; the last two are the bus's.
+  const MachineStatistics statistics = run.machine.statistics();
+  CHECK(statistics.frame_time == 2 * (16 + 4 * 2) * k_clock + 4 * (4 * k_clock + k_word));
+  check_states(statistics);
 }
 
 TEST_CASE("refresh stretches an executed program as it does counted work") {

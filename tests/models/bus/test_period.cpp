@@ -56,4 +56,31 @@ TEST_CASE("off-board access times of the KVM02: all rows of the data sheet, both
   }
 }
 
+TEST_CASE("no access ends before its acknowledge, nor later than its clocks have it") {
+  std::mt19937_64 generator(71);
+  const auto below = [&generator](int n) {
+    return static_cast<std::int64_t>(generator() % static_cast<unsigned>(n));
+  };
+  int clamped = 0;
+  for (int one = 0; one < 20'000; ++one) {
+    const double hertz = std::exp2(20 + static_cast<double>(below(1'900)) / 100);
+    const AccessLaw law{Period::of_frequency(hertz), 1 + below(8), Duration{below(200'000)}};
+    const Duration slave_time{below(2'000'000)};
+    const Duration duration = law.duration(slave_time);
+    const Clocks clocks = law.clock.index_at(duration);
+    REQUIRE(law.clock.times(clocks) == duration);
+    REQUIRE(duration >= slave_time);
+    REQUIRE(law.duration(slave_time + k_tick) >= duration);
+    const Clocks by_slack =
+        law.access_clocks + law.clock.count_to_cover(slave_time - law.access_slack);
+    if (clocks != by_slack) {
+      REQUIRE(law.clock.times(by_slack) < slave_time);
+      REQUIRE(law.clock.times(clocks - 1) < slave_time);
+      ++clamped;
+    }
+    REQUIRE((law.access_slack > law.clock.times(law.access_clocks) || clocks == by_slack));
+  }
+  CHECK(clamped > 1'000);
+}
+
 }  // namespace

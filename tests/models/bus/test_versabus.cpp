@@ -251,4 +251,10 @@ TEST_CASE("a broken promise to run ahead stops the run") {
   CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("promise"));
 }
 
+TEST_CASE("a request in the past stops the run") {
+  Bench bench("past", k_bus, slave_of_250_ns());
+  bench.add({0, 0}, Style::annotated, script({{Duration{1'000}}, {-k_tick}}));
+  CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("in the past"));
+}
+
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <random>
 #include <string>
@@ -25,6 +26,9 @@ struct Step {
   int accesses = 1;
   Duration gap{};
   bool block = false;
+  tlm::tlm_command command = tlm::TLM_WRITE_COMMAND;
+  bool test_and_set = false;  // of one that reads
+  Duration modify{};
 };
 
 /// How a master spends its compute time: told to the bus as delay, with or without the promise to
@@ -82,7 +86,6 @@ class Master : public sc_core::sc_module {
  private:
   void run() {
     payload_.set_extension(&transaction_);
-    payload_.set_command(tlm::TLM_WRITE_COMMAND);
     transaction_.runs_ahead = style_ == Style::promised;
     if (style_ == Style::followed_up) {
       transaction_.follow_up = [this](Instant end) { return follow_up(end); };
@@ -105,8 +108,12 @@ class Master : public sc_core::sc_module {
 
   void load(const Step& step) {
     data_.resize(static_cast<std::size_t>(step.accesses) * bus_.word_bytes());
+    std::iota(data_.begin(), data_.end(), static_cast<unsigned char>(++steps_));
     transaction_.gap = step.gap;
     transaction_.block = step.block;
+    transaction_.test_and_set = step.test_and_set;
+    transaction_.modify = step.modify;
+    payload_.set_command(step.command);
     payload_.set_address(step.address);
     payload_.set_data_ptr(data_.data());
     payload_.set_data_length(static_cast<unsigned>(data_.size()));
@@ -130,6 +137,7 @@ class Master : public sc_core::sc_module {
   BusTransaction transaction_;  // before the payload, which frees its extensions
   tlm::tlm_generic_payload payload_;
   std::vector<unsigned char> data_;
+  unsigned steps_ = 0;
   VersaBus& bus_;
   int id_;
   Style style_;

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "models/bus/instant.hpp"
+
+namespace maquette::models {
+
+/// Who has the bus next, and from when on.
+struct BusGrant {
+  int master;
+  Instant request;
+  Instant decision;  ///< its arbitration begins; the grant itself when it needed none
+  Instant grant;
+  bool kept = false;  ///< until the decision, the master of the access before kept the bus
+};
+
+}  // namespace maquette::models
