@@ -11,6 +11,7 @@
 #include "models/bus/bus_burst.hpp"
 #include "models/bus/instant.hpp"
 #include "models/bus/period.hpp"
+#include "models/bus/time_limit.hpp"
 
 namespace maquette::models {
 
@@ -28,8 +29,12 @@ class Processor {
   /// The frame starts, in the kernel's present instant.
   void start();
 
-  void compute(Duration time) { computing_ += time; }
-  void compute(Clocks clocks) { computing_ += clock_.times(clocks); }
+  /// Reports a computation that does not end within the longest simulated time.
+  void compute(Duration time) {
+    require_in_time(now(), time, name_);
+    computing_ += time;
+  }
+  void compute(Clocks clocks) { compute(clock_.times(clocks)); }
 
   /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus.
   [[nodiscard]] Duration time_of(const firmware::Work& work, std::int64_t bus_loads = 0) const {

@@ -4,6 +4,7 @@
 
 #include "models/bus/bus_misuse.hpp"
 #include "models/bus/kernel_time.hpp"
+#include "models/bus/time_limit.hpp"
 
 namespace maquette::models {
 
@@ -140,6 +141,7 @@ void VersaBus::access(const BusGrant& granted) {
   BusTransaction& transaction = master.burst.transaction();
   const AccessResult result =
       slaves_.access(master.burst, master.description.access, granted.grant);
+  require_in_time(granted.grant, result.duration, master.description.name);
   const BusAccess access{granted.master,
                          master.burst.address(),
                          master.burst.burst().is_write(),
