@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tlm>
@@ -44,6 +45,9 @@ class Processor {
 
   /// Computes for as long as is due, then does the burst; returns at its end. Reports a bus error.
   void transact(BusBurst& burst);
+
+  /// A long word on the bus as it is now, without an access.
+  [[nodiscard]] std::uint32_t peek_long(std::uint64_t address);
 
   /// Puts a burst that has ended into the states. `transact` does it for a burst that nothing
   /// follows up.

@@ -111,6 +111,19 @@ unsigned VersaBus::transport_dbg(int /*id*/, tlm::tlm_generic_payload& payload) 
   return slaves_.transport_dbg(payload);
 }
 
+int VersaBus::longest_standing() const {
+  int longest = k_nobody;
+  Instant earliest = k_never;
+  for (std::size_t id = 0; id < masters_.size(); ++id) {
+    const Instant request = standing_request(static_cast<int>(id)).value_or(k_never);
+    if (request < earliest) {
+      earliest = request;
+      longest = static_cast<int>(id);
+    }
+  }
+  return longest;
+}
+
 void VersaBus::enter(int id, Instant request) {
   lookahead_.request_next(id, request);
   arbiter_->enter({id, at(id).description.place, request});

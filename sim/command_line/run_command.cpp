@@ -184,8 +184,11 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   request.executed = options.processor == "instruction";
   request.calibrated = options.processor == "calibrated";
-  if (request.executed || request.calibrated) {
+  if (request.executed) {
     require_execution(description.machine);
+  }
+  if (request.calibrated) {
+    require_execution(board_alone(description.machine));
   }
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
