@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/stability/machine_case.hpp"
+
+namespace maquette::sim {
+
+/// One to 256 boards, all on one level of the bus, which it saturates or which do nothing but
+/// write; under each policy of arbitration. The closed forms are those of the saturated bus, and of
+/// the board that fixed priority serves last.
+[[nodiscard]] std::vector<MachineCase> crowded_machines();
+
+/// Boards that starve for ever: behind a video reader that takes every slot, or while others try to
+/// claim units; and a video reader that leaves just enough.
+[[nodiscard]] std::vector<MachineCase> starving_machines();
+
+}  // namespace maquette::sim
