@@ -21,9 +21,9 @@ constexpr double k_bits_per_byte = 8;
 
 [[noreturn]] void fail(const std::string& who_does_what, double seconds, const char* remedy) {
   constexpr double k_day_s = 86400;
-  throw DescriptionError(
-      fmt::format("{} for {:.4g} days; simulated time goes up to {:.0f} days: {}", who_does_what,
-                  seconds / k_day_s, in_seconds(models::k_longest_run) / k_day_s, remedy));
+  throw DescriptionError(fmt::format(
+      "{} for at least {:.4g} days; simulated time goes up to {:.0f} days: {}", who_does_what,
+      seconds / k_day_s, in_seconds(models::k_longest_run) / k_day_s, remedy));
 }
 
 void require_time(double seconds, const std::string& who_does_what, const char* remedy) {

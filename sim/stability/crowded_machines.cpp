@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "models/bus/arbitration_policies.hpp"
+#include "models/bus/bus_levels.hpp"
 
 namespace maquette::sim {
 
@@ -99,10 +100,26 @@ MachineCase watched(const char* subject, Duration free_time) {
   return one;
 }
 
+/// What is exact nowhere else keeps its pixels as well.
+void append_levels(std::vector<MachineCase>& cases) {
+  for (const models::BusLevel& level : models::k_bus_levels) {
+    for (const Duration quantum : {Duration{}, Duration{1000}, Duration{std::chrono::seconds(1)}}) {
+      cases.push_back(crowd("64 boards, levels of the bus and quanta", 64, models::k_priority));
+      models::MachineParameters& parameters = cases.back().trial.machine.parameters;
+      parameters.bus.level = level;
+      parameters.bus.quantum = quantum;
+      cases.back().trial.work = [](std::int64_t index) {
+        return static_cast<std::uint32_t>(index * 37 % 11);
+      };
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<MachineCase> crowded_machines() {
   std::vector<MachineCase> cases;
+  append_levels(cases);
   for (const models::ArbitrationPolicy& policy : models::k_arbitration_policies) {
     append_zero_compute(policy, cases);
     append_zero_transfer(policy, cases);
@@ -119,13 +136,18 @@ std::vector<MachineCase> crowded_machines() {
   return cases;
 }
 
-std::vector<MachineCase> starving_machines() {
+std::vector<MachineCase> watched_machines() {
   const Duration access_time = models::FrameMemoryParameters{}.access_time;
   std::vector<MachineCase> cases{watched("a video reader that leaves just an access", access_time)};
   for (const Duration free_time : {access_time - models::k_tick, models::k_tick, Duration{}}) {
     cases.push_back(watched("a video reader that takes every slot", free_time));
     cases.back().refusal = "board0 to board3 would starve";
   }
+  return cases;
+}
+
+std::vector<MachineCase> starving_machines() {
+  std::vector<MachineCase> cases;
   cases.push_back(crowd("boards that claim units without a pause, {}", 4, models::k_priority));
   models::MachineParameters& claiming = cases.back().trial.machine.parameters;
   claiming.allotment.assignment = models::Assignment::on_demand;

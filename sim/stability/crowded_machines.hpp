@@ -11,8 +11,11 @@ namespace maquette::sim {
 /// the board that fixed priority serves last.
 [[nodiscard]] std::vector<MachineCase> crowded_machines();
 
-/// Boards that starve for ever: behind a video reader that takes every slot, or while others try to
-/// claim units; and a video reader that leaves just enough.
+/// A video reader that takes every slot, behind which boards would starve for ever, and one that
+/// leaves just enough.
+[[nodiscard]] std::vector<MachineCase> watched_machines();
+
+/// Boards that starve while others try to claim units.
 [[nodiscard]] std::vector<MachineCase> starving_machines();
 
 }  // namespace maquette::sim

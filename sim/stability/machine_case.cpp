@@ -42,6 +42,7 @@ void add(const MachineCase& one, const TrialOutcome& outcome, CaseTally& tally) 
   if (one.longest_wait) {
     tally.ticks_off += ticks_between(outcome.longest_wait, *one.longest_wait);
     tally.starving_unnamed += outcome.longest_waiting == one.starving ? 0 : 1;
+    tally.has_closed_form = true;
     tally.has_starving = true;
   }
 }

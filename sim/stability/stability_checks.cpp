@@ -54,7 +54,8 @@ namespace {
 /// Of machines, in which no number type shows. First, since processes are best forked before there
 /// are threads.
 void append_machine_checks(double share, std::vector<StabilityCheck>& checks) {
-  for (const auto& cases : {stiff_machines, crowded_machines, starving_machines}) {
+  for (const auto& cases :
+       {stiff_machines, endless_machines, crowded_machines, watched_machines, starving_machines}) {
     checks.push_back({"machines", [cases] { return machine_case_rows(cases()); }});
   }
   const auto transfers =

@@ -102,7 +102,9 @@ void take_statistics(const models::MachineStatistics& model, const TrialMachine&
     queued += time.time;
   }
   outcome.disorders += queued == model.frame_time * model.backplanes ? 0 : 1;
-  outcome.disorders += statistics.frame.imbalance >= 0 && statistics.bus.utilisation <= 1 ? 0 : 1;
+  const bool overlaps = !trial.machine.parameters.bus.level.is_exclusive;
+  outcome.disorders += statistics.frame.imbalance >= 0 ? 0 : 1;
+  outcome.disorders += statistics.bus.utilisation <= 1 || overlaps ? 0 : 1;
   outcome.longest_wait = statistics.bus.longest_wait.time;
   outcome.longest_waiting = models::longest_waiting_master(model.bus);
 }
@@ -114,9 +116,11 @@ void simulate(const TrialMachine& trial, TrialOutcome& outcome) {
   setup.useful_zone = trial.zone;
   models::CcettMachine model("machine", trial.machine.parameters, pixels, setup);
   models::Instant end{};
+  const bool is_in_order =
+      model.backplanes() == 1 && trial.machine.parameters.bus.level.is_exclusive;
   model.observe_bus([&](const models::BusAccess& access) {
     outcome.disorders += access.grant >= end && access.end > access.grant ? 0 : 1;
-    end = model.backplanes() == 1 ? access.end : models::Instant{};
+    end = is_in_order ? access.end : models::Instant{};
   });
   sc_core::sc_start();
   take_statistics(model.statistics(), trial, outcome);

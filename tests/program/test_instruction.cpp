@@ -88,6 +88,14 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
   CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
   CHECK_THAT(refused("--set board.arithmetic=ieee_single"), ContainsSubstring("ieee_single"));
   CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
+  CHECK_THAT(refused("--set processors=64"), ContainsSubstring("24 bits of address"));
+}
+
+TEST_CASE("boards that have no place in the addresses of an MC68000 are calibrated by one alone") {
+  const ScratchDirectory scratch;
+  const auto directory = run(scratch, "calibrated", "--processor calibrated --set processors=64");
+  CHECK(content_of(directory / "frame.png") ==
+        content_of(run(scratch, "counted", "--set processors=64") / "frame.png"));
 }
 
 }  // namespace
