@@ -19,12 +19,11 @@ struct VideoGaps {
   [[nodiscard]] Duration narrowest() const { return std::min(within_line, between_lines); }
 };
 
-/// Of slots of at least one pixel.
-[[nodiscard]] inline VideoGaps video_gaps(const Period& line, const Period& pixel,
+/// Of slots of at least one pixel, on lines of `width` pixels.
+[[nodiscard]] inline VideoGaps video_gaps(const Period& line, const Period& pixel, int width,
                                           Duration blanking, const FrameMemoryParameters& memory) {
   const Period slot = pixel.multiplied(memory.video_slot_pixels);
-  const std::int64_t slots =
-      (memory.width + memory.video_slot_pixels - 1) / memory.video_slot_pixels;
+  const std::int64_t slots = (width + memory.video_slot_pixels - 1) / memory.video_slot_pixels;
   const Duration between_lines = line.times(1) - slot.times(slots - 1) - memory.video_slot_time;
   return {slot.times(1) - memory.video_slot_time, between_lines, between_lines - blanking};
 }

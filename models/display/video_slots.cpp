@@ -24,8 +24,8 @@ VideoSlots::VideoSlots(const VideoTiming& timing, const FrameMemoryParameters& p
       slot_period_(timing.pixel_period().multiplied(checked_slot_pixels(parameters))),
       slots_per_line_((timing.width() + parameters.video_slot_pixels - 1) /
                       parameters.video_slot_pixels) {
-  const VideoGaps gaps =
-      video_gaps(timing.line_period(), timing.pixel_period(), timing.blanking(), parameters);
+  const VideoGaps gaps = video_gaps(timing.line_period(), timing.pixel_period(), timing.width(),
+                                    timing.blanking(), parameters);
   if (gaps.after_last < Duration::zero()) {
     throw std::invalid_argument("the last video slot of a line must end within its line");
   }

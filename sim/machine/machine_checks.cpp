@@ -122,9 +122,10 @@ void check_video_slots(const models::MachineParameters& parameters, const YamlNo
     return;
   }
   const std::int64_t lines_per_s = std::int64_t{video.lines_per_frame} * video.frames_per_s;
-  const models::VideoGaps gaps = models::video_gaps(
-      {static_cast<std::int64_t>(k_ps_per_s), lines_per_s},
-      models::Period::of_frequency(video.pixel_clock_hz), video.line_blanking, memory);
+  const models::VideoGaps gaps =
+      models::video_gaps({static_cast<std::int64_t>(k_ps_per_s), lines_per_s},
+                         models::Period::of_frequency(video.pixel_clock_hz), memory.width,
+                         video.line_blanking, memory);
   const auto at_most = [](models::Duration time) {
     return format_quantity(std::max<std::int64_t>(time.count(), 0), WholeDimension::time) +
            " is allowed";
