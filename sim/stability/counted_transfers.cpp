@@ -120,6 +120,7 @@ std::vector<StabilityRow> counted_transfer_rows(std::int64_t transfers) {
     sum.off[number] += ticks_off(k_master_counts[number], transfers);
   });
   std::vector<StabilityRow> rows;
+  rows.reserve(k_cases);
   for (int i = 0; i < k_cases; ++i) {
     rows.push_back(
         {"machines",
