@@ -48,11 +48,13 @@ void require_end(const mc68000::Stop& stop) {
 
 }  // namespace
 
-InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes,
-                                           Processor& processor, Observer written)
+InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, const VersaBus& bus,
+                                           std::uint64_t next_unit, Processor& processor,
+                                           Observer written)
     : time_(parameters),
-      word_bytes_(word_bytes),
+      word_bytes_(bus.word_bytes()),
       processor_(processor),
+      watch_(bus, processor, next_unit),
       written_(std::move(written)) {
   test_and_set_.transaction.test_and_set = true;
 }
@@ -117,7 +119,13 @@ std::uint32_t InstructionProcessor::test_and_set(const BusRequest& request) {
   test_and_set_.aim(request.address);
   processor_.transact(test_and_set_);
   const std::uint32_t value = value_of(request, test_and_set_.bytes);
-  ++((value & k_taken) == 0 ? locks_taken_ : failed_tries_);
+  if ((value & k_taken) == 0) {
+    ++locks_taken_;
+    watch_.count_success();
+  } else {
+    ++failed_tries_;
+    watch_.count_failure();
+  }
   return value;
 }
 

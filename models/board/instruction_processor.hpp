@@ -6,6 +6,7 @@
 #include "models/board/board_program.hpp"
 #include "models/board/processor.hpp"
 #include "models/board/program_time.hpp"
+#include "models/board/starvation_watch.hpp"
 #include "models/bus/bus_burst.hpp"
 
 namespace maquette::models {
@@ -20,9 +21,10 @@ class InstructionProcessor {
   /// Called with each word or byte that the program has written off the board.
   using Observer = std::function<void(std::uint64_t address, std::uint32_t value)>;
 
-  /// `processor` is kept by reference. Throws as ProgramTime.
-  InstructionProcessor(const Kvm02Parameters& parameters, unsigned word_bytes, Processor& processor,
-                       Observer written);
+  /// `next_unit` is the address of the counter that boards share. Bus and processor are kept by
+  /// reference. Throws as ProgramTime.
+  InstructionProcessor(const Kvm02Parameters& parameters, const VersaBus& bus,
+                       std::uint64_t next_unit, Processor& processor, Observer written);
 
   /// Runs the program to its end, in the board's SystemC process. Reports an error when it stops
   /// for another reason than that it has come to its end.
@@ -43,6 +45,7 @@ class InstructionProcessor {
   ProgramTime time_;
   unsigned word_bytes_;
   Processor& processor_;
+  StarvationWatch watch_;
   Observer written_;
   Duration spent_{};
   Duration preprocessing_{};

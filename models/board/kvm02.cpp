@@ -41,7 +41,8 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
       processor_(parameters, bus_master, this->name()),
       cursor_(share),
       writer_(site.frame, site.bus.word_bytes()),
-      frame_(site.frame) {
+      frame_(site.frame),
+      shared_(site.shared) {
   ram_port.register_b_transport(this, &Kvm02::access_ram);
   ram_port.register_transport_dbg(this, &Kvm02::debug_ram);
   BusTransaction& writing = writer_.burst().transaction;
@@ -49,7 +50,7 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
   writing.block = keeps_bus(parameters.release);
   const unsigned word_bytes = site.bus.word_bytes();
   if (share.claim) {
-    claims_.emplace(*share.claim, share.step, site.shared, word_bytes, processor_);
+    claims_.emplace(*share.claim, share.step, site.shared, site.bus, processor_);
   }
   if (is_shared(parameters.database)) {
     database_.emplace(parameters.database_cache_bytes, site.shared, word_bytes, processor_);
@@ -111,7 +112,7 @@ void Kvm02::execute(const ProgramEntry& entry, const HostRoutines& host_routines
   host_routines_ = host_routines;
   slots_ = &slots;
   executing_.emplace(
-      parameters_, bus_.word_bytes(), processor_,
+      parameters_, bus_, shared_.next_unit(), processor_,
       [this](std::uint64_t address, std::uint32_t value) { check_written(address, value); });
 }
 

@@ -104,6 +104,7 @@ class Kvm02 : public sc_core::sc_module {
 
   // Of a board that executes its program.
   FrameWindow frame_;
+  SharedWindow shared_;
   ProgramEntry entry_{};
   HostRoutines host_routines_;
   ProgramSlots* slots_ = nullptr;

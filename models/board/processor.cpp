@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "models/board/long_word.hpp"
 #include "models/bus/bus_error.hpp"
 #include "models/bus/kernel_time.hpp"
 
@@ -26,6 +27,14 @@ void Processor::transact(BusBurst& burst) {
   if (!burst.transaction.follow_up) {
     account(burst.transaction, kernel_now());
   }
+}
+
+std::uint32_t Processor::peek_long(std::uint64_t address) {
+  BusBurst read(tlm::TLM_READ_COMMAND);
+  read.bytes.resize(k_long_bytes);
+  read.aim(address);
+  bus_master_->transport_dbg(read.payload);
+  return long_of(read.bytes);
 }
 
 void Processor::account(const BusTransaction& transaction, Instant end) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tlm>
@@ -11,6 +12,7 @@
 #include "models/bus/bus_burst.hpp"
 #include "models/bus/instant.hpp"
 #include "models/bus/period.hpp"
+#include "models/bus/time_limit.hpp"
 
 namespace maquette::models {
 
@@ -28,8 +30,12 @@ class Processor {
   /// The frame starts, in the kernel's present instant.
   void start();
 
-  void compute(Duration time) { computing_ += time; }
-  void compute(Clocks clocks) { computing_ += clock_.times(clocks); }
+  /// Reports a computation that does not end within the longest simulated time.
+  void compute(Duration time) {
+    require_in_time(now(), time, name_);
+    computing_ += time;
+  }
+  void compute(Clocks clocks) { compute(clock_.times(clocks)); }
 
   /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus.
   [[nodiscard]] Duration time_of(const firmware::Work& work, std::int64_t bus_loads = 0) const {
@@ -39,6 +45,9 @@ class Processor {
 
   /// Computes for as long as is due, then does the burst; returns at its end. Reports a bus error.
   void transact(BusBurst& burst);
+
+  /// A long word on the bus as it is now, without an access.
+  [[nodiscard]] std::uint32_t peek_long(std::uint64_t address);
 
   /// Puts a burst that has ended into the states. `transact` does it for a burst that nothing
   /// follows up.

@@ -7,6 +7,7 @@
 #include "models/board/mc68000/account.hpp"
 #include "models/board/work_cost.hpp"
 #include "models/bus/duration.hpp"
+#include "models/bus/wide.hpp"
 
 namespace maquette::models {
 
@@ -23,14 +24,14 @@ class ProgramTime {
   explicit ProgramTime(const Kvm02Parameters& parameters);
 
   /// From the program's start to where its processor has this account. `work` is what the host's
-  /// routines did since the last call.
+  /// routines did since the last call. Duration::max() when it is longer.
   [[nodiscard]] Duration elapsed(const mc68000::Account& account, const firmware::Work& work);
 
  private:
   WorkCost cost_;
   Clocks read_wait_;
   Clocks write_wait_;
-  std::int64_t work_milliclocks_ = 0;
+  Wide work_milliclocks_ = 0;
 };
 
 }  // namespace maquette::models

@@ -1,31 +1,21 @@
 #include "models/board/unit_claims.hpp"
 
-#include <systemc>
-
 #include "models/board/long_word.hpp"
 
 namespace maquette::models {
 
-namespace {
-
-constexpr int k_most_tries = 100'000;
-constexpr const char* k_starved =
-    "boards that try to claim a unit keep the one that holds the lock off the bus for ever; "
-    "raise allotment.claim.spin";
-
-}  // namespace
-
 // A byte takes a whole word of the bus.
 UnitClaims::UnitClaims(const ClaimParameters& parameters, std::int64_t boards,
-                       const SharedWindow& shared, unsigned word_bytes, Processor& processor)
+                       const SharedWindow& shared, const VersaBus& bus, Processor& processor)
     : parameters_(parameters),
       boards_(boards),
       shared_(shared),
-      word_bytes_(word_bytes),
-      processor_(processor) {
+      word_bytes_(bus.word_bytes()),
+      processor_(processor),
+      watch_(bus, processor, shared.next_unit()) {
   tas_.transaction.test_and_set = true;
   tas_.transaction.modify = processor.clock().times(parameters.modify_clocks);
-  tas_.bytes.resize(word_bytes);
+  tas_.bytes.resize(word_bytes_);
   tas_.aim(shared.lock());
   read_.bytes.resize(k_long_bytes);
   read_.aim(shared.next_unit());
@@ -47,13 +37,12 @@ std::int64_t UnitClaims::next() {
 }
 
 void UnitClaims::take_lock() {
-  for (int tries = 1; !test_and_set(); ++tries) {
-    if (tries == k_most_tries) {
-      SC_REPORT_ERROR("/maquette/kvm02", k_starved);
-    }
+  while (!test_and_set()) {
     ++failed_tries_;
+    watch_.count_failure();
     processor_.compute(parameters_.spin_clocks * boards_);
   }
+  watch_.count_success();
 }
 
 bool UnitClaims::test_and_set() {

@@ -5,6 +5,7 @@
 #include "models/board/allotment_parameters.hpp"
 #include "models/board/processor.hpp"
 #include "models/board/shared_memory.hpp"
+#include "models/board/starvation_watch.hpp"
 #include "models/bus/bus_burst.hpp"
 
 namespace maquette::models {
@@ -13,12 +14,12 @@ namespace maquette::models {
 /// test-and-set, reads the counter, writes it back greater by one and clears the lock.
 class UnitClaims {
  public:
-  /// The processor is kept by reference.
+  /// Bus and processor are kept by reference.
   UnitClaims(const ClaimParameters& parameters, std::int64_t boards, const SharedWindow& shared,
-             unsigned word_bytes, Processor& processor);
+             const VersaBus& bus, Processor& processor);
 
-  /// Claims the next unit; behind the last one there is none left. Reports an error when the lock
-  /// stays taken for ever.
+  /// Claims the next unit; behind the last one there is none left. Reports an error when the board
+  /// that holds the lock starves.
   [[nodiscard]] std::int64_t next();
 
   [[nodiscard]] Duration time() const { return time_; }
@@ -37,6 +38,7 @@ class UnitClaims {
   SharedWindow shared_;
   unsigned word_bytes_;
   Processor& processor_;
+  StarvationWatch watch_;
   BusBurst tas_{tlm::TLM_READ_COMMAND};
   BusBurst read_{tlm::TLM_READ_COMMAND};
   BusBurst write_{tlm::TLM_WRITE_COMMAND};

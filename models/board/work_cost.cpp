@@ -1,9 +1,12 @@
 #include "models/board/work_cost.hpp"
 
 #include <cmath>
-#include <numeric>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "models/bus/wide.hpp"
 
 namespace maquette::models {
 
@@ -12,6 +15,7 @@ namespace {
 constexpr double k_milli = 1e3;
 constexpr std::int64_t k_clock_per_milliclock = 1'000;
 constexpr std::int64_t k_ps_millihertz = 1'000'000'000'000'000;
+constexpr std::int64_t k_largest = std::numeric_limits<std::int64_t>::max();
 
 double clocks_with_waits(const OperationCost& cost, const Kvm02Parameters& board) {
   return cost.clocks + cost.reads * static_cast<double>(board.ram_read_wait_clocks) +
@@ -23,20 +27,34 @@ Period milliclock(const Kvm02Parameters& board) {
   return {k_ps_millihertz / k_clock_per_milliclock, millihertz};
 }
 
+// As 64 bits hold it: exactly, or where they do not to 62 bits of the numerator.
+Period ratio(Wide numerator, Wide denominator) {
+  Wide divisor = numerator;
+  for (Wide rest = denominator; rest != 0;) {
+    divisor = std::exchange(rest, divisor % rest);
+  }
+  numerator /= divisor;
+  denominator /= divisor;
+  while (numerator > k_largest) {
+    numerator /= 2;
+    denominator = (denominator + 1) / 2;
+  }
+  return {static_cast<std::int64_t>(numerator), static_cast<std::int64_t>(denominator)};
+}
+
 // Of a refresh period P the processor has P - c T, T being its clock period: P / (P - c T), both
 // times the clock's frequency.
 Period elapsed_per_processor_ps(const Kvm02Parameters& board) {
   if (board.refresh_period <= Duration::zero()) {
     return {1, 1};
   }
-  const std::int64_t millihertz = std::llround(board.clock_hz * k_milli);
-  const std::int64_t divisor = std::gcd(millihertz, k_ps_millihertz);
-  const std::int64_t whole = board.refresh_period.count() * (millihertz / divisor);
-  const std::int64_t stolen = board.refresh_clocks * (k_ps_millihertz / divisor);
+  const Wide whole =
+      static_cast<Wide>(board.refresh_period.count()) * std::llround(board.clock_hz * k_milli);
+  const Wide stolen = static_cast<Wide>(board.refresh_clocks) * k_ps_millihertz;
   if (stolen < 0 || stolen >= whole) {
     throw std::invalid_argument("RAM refresh must leave the processor some of its time");
   }
-  return {whole, whole - stolen};
+  return ratio(whole, whole - stolen);
 }
 
 }  // namespace
@@ -61,11 +79,11 @@ WorkCost::WorkCost(const Kvm02Parameters& board)
 }
 
 std::int64_t WorkCost::milliclocks(const firmware::Work& work) const {
-  std::int64_t sum = 0;
+  Wide sum = 0;
   for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
-    sum += milliclocks_[operation] * work.counts[operation];
+    sum += static_cast<Wide>(milliclocks_[operation]) * work.counts[operation];
   }
-  return sum;
+  return sum < k_largest ? static_cast<std::int64_t>(sum) : k_largest;
 }
 
 Duration WorkCost::duration(const firmware::Work& work, std::int64_t bus_loads) const {

@@ -26,7 +26,8 @@ class WorkCost {
   explicit WorkCost(const Kvm02Parameters& board);
 
   /// Elapsed time of `work`, of whose loads `bus_loads` get their datum over the bus (that time not
-  /// included): the processor's, then the elapsed, each rounded down to the picosecond.
+  /// included): the processor's, then the elapsed, each rounded down to the picosecond;
+  /// Duration::max() when it is longer.
   [[nodiscard]] Duration duration(const firmware::Work& work, std::int64_t bus_loads = 0) const;
 
   /// Elapsed time of so many thousandths of the processor's clocks, rounded as above.
@@ -34,7 +35,8 @@ class WorkCost {
     return elapsed_per_processor_ps_.times(milliclock_.times(milliclocks).count());
   }
 
-  /// Thousandths of a clock that `work` takes, before refresh.
+  /// Thousandths of a clock that `work` takes, before refresh; the largest number when it is
+  /// larger.
   [[nodiscard]] std::int64_t milliclocks(const firmware::Work& work) const;
 
   /// Cost of one operation in thousandths of a clock, before refresh.

@@ -4,6 +4,7 @@
 
 #include "models/bus/bus_misuse.hpp"
 #include "models/bus/kernel_time.hpp"
+#include "models/bus/time_limit.hpp"
 
 namespace maquette::models {
 
@@ -67,6 +68,7 @@ void BusMasters::post(int master, tlm::tlm_generic_payload& burst, Instant reque
 
 BusAccess BusMasters::access_of(const BusGrant& granted, const AccessResult& result) const {
   BurstProgress& burst = at(granted.master).burst;
+  require_in_time(granted.grant, result.duration, at(granted.master).description.name);
   return {granted.master,
           burst.address(),
           burst.burst().is_write(),

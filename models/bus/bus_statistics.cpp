@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "models/bus/checked_sum.hpp"
+
 namespace maquette::models {
 
 namespace {
@@ -10,10 +12,10 @@ void add(BusMasterStatistics& sum, const BusMasterStatistics& master) {
   sum.transfers += master.transfers;
   sum.delayed += master.delayed;
   sum.errors += master.errors;
-  sum.busy += master.busy;
-  sum.held += master.held;
-  sum.arbitration += master.arbitration;
-  sum.waited += master.waited;
+  sum.busy = checked_sum(sum.busy, master.busy);
+  sum.held = checked_sum(sum.held, master.held);
+  sum.arbitration = checked_sum(sum.arbitration, master.arbitration);
+  sum.waited = checked_sum(sum.waited, master.waited);
   if (master.longest_wait > sum.longest_wait) {
     sum.longest_wait = master.longest_wait;
     sum.longest_wait_request = master.longest_wait_request;
@@ -52,7 +54,7 @@ BusStatistics combined(const std::vector<BusStatistics>& backplanes, std::size_t
       for (std::size_t b = 0; b < one.masters.size(); ++b) {
         all.waited_for[number(a)][number(b)] += one.waited_for[a][b];
       }
-      all.queue_times[a] += one.queue_times[a];
+      all.queue_times[a] = checked_sum(all.queue_times[a], one.queue_times[a]);
     }
   }
   return all;

@@ -36,13 +36,14 @@ struct BusStatistics {
   std::vector<Duration> queue_times;
 };
 
-/// All masters together; the longest wait is that of the earliest master that had it.
+/// All masters together; the longest wait is that of the earliest master that had it. Throws as
+/// checked_sum.
 BusMasterStatistics total(const BusStatistics& statistics);
 
 /// The backplanes of a machine as one bus: its boards are masters 0 to boards - 1, board b being
 /// the b / n th master of the b mod n th of n backplanes; the last master of each is the host, all
 /// of which are summed up as master `boards`. Masters of different backplanes never wait for one
-/// another; lengths of queues are those of any backplane.
+/// another; lengths of queues are those of any backplane. Throws as checked_sum.
 BusStatistics combined(const std::vector<BusStatistics>& backplanes, std::size_t boards);
 
 /// The number of the master that had the longest wait, or k_nobody on a bus without masters.

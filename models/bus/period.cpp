@@ -1,15 +1,15 @@
 #include "models/bus/period.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
+
+#include "models/bus/wide.hpp"
 
 namespace maquette::models {
 
 namespace {
-
-// Products of two 64-bit numbers need 128 bits.
-__extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): `using` takes no __extension__
 
 constexpr double k_millihertz_per_hertz = 1e3;
 constexpr std::int64_t k_ps_millihertz = 1'000'000'000'000'000;
@@ -37,11 +37,17 @@ Period Period::of_frequency(double hertz) {
 
 Period Period::multiplied(std::int64_t factor) const {
   const std::int64_t divisor = std::gcd(factor, denominator_);
-  return {numerator_ps_ * (factor / divisor), denominator_ / divisor};
+  std::int64_t numerator_ps = 0;
+  if (__builtin_mul_overflow(numerator_ps_, factor / divisor, &numerator_ps)) {
+    throw std::invalid_argument("a period must not be longer than simulated time");
+  }
+  return {numerator_ps, denominator_ / divisor};
 }
 
 std::int64_t Period::divide_wide(std::int64_t a, std::int64_t b, std::int64_t d, std::int64_t c) {
-  return static_cast<std::int64_t>((static_cast<Wide>(a) * b + c) / d);
+  constexpr std::int64_t k_largest = std::numeric_limits<std::int64_t>::max();
+  const Wide quotient = (static_cast<Wide>(a) * b + c) / d;
+  return quotient < k_largest ? static_cast<std::int64_t>(quotient) : k_largest;
 }
 
 }  // namespace maquette::models

@@ -17,12 +17,13 @@ class Period {
   /// outside ]0, 1 THz].
   static Period of_frequency(double hertz);
 
-  /// This period `factor` times. `factor` is positive.
+  /// This period `factor` times. `factor` is positive. Throws std::invalid_argument when the result
+  /// is longer than any Duration.
   [[nodiscard]] Period multiplied(std::int64_t factor) const;
 
-  /// The time of n >= 0 periods, rounded down to the picosecond.
+  /// The time of n >= 0 periods, rounded down to the picosecond; Duration::max() when it is longer.
   [[nodiscard]] Duration times(std::int64_t n) const {
-    return Duration{denominator_ == 1 ? n * numerator_ps_ : divide(n, numerator_ps_, denominator_)};
+    return Duration{divide(n, numerator_ps_, denominator_)};
   }
 
   /// The last n with times(n) <= elapsed. `elapsed` is not negative.
@@ -39,7 +40,8 @@ class Period {
   }
 
  private:
-  // (a b + c) / d without overflow of the product; not negative, rounded down.
+  // (a b + c) / d without overflow of the product; not negative, rounded down, and the largest
+  // number when it is larger.
   [[nodiscard]] static std::int64_t divide(std::int64_t a, std::int64_t b, std::int64_t d,
                                            std::int64_t c = 0) {
     std::int64_t product = 0;

@@ -64,4 +64,17 @@ unsigned VersaBus::transport_dbg(int /*id*/, tlm::tlm_generic_payload& payload) 
   return slaves_.transport_dbg(payload);
 }
 
+int VersaBus::longest_standing() const {
+  int longest = k_nobody;
+  Instant earliest = k_never;
+  for (int id = 0; id < masters_.count(); ++id) {
+    const Instant request = standing_request(id).value_or(k_never);
+    if (request < earliest) {
+      earliest = request;
+      longest = id;
+    }
+  }
+  return longest;
+}
+
 }  // namespace maquette::models

@@ -72,6 +72,9 @@ class VersaBus : public sc_core::sc_module {
     return masters_.lookahead().standing_request(master);
   }
 
+  /// The master whose request has stood for longest; k_nobody when nobody waits.
+  [[nodiscard]] int longest_standing() const;
+
   /// Bytes of one access.
   [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
 

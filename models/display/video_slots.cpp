@@ -1,7 +1,8 @@
 #include "models/display/video_slots.hpp"
 
-#include <algorithm>
 #include <stdexcept>
+
+#include "models/display/video_gaps.hpp"
 
 namespace maquette::models {
 
@@ -23,15 +24,12 @@ VideoSlots::VideoSlots(const VideoTiming& timing, const FrameMemoryParameters& p
       slot_period_(timing.pixel_period().multiplied(checked_slot_pixels(parameters))),
       slots_per_line_((timing.width() + parameters.video_slot_pixels - 1) /
                       parameters.video_slot_pixels) {
-  if (timing_.blanking() + slot_period_.times(slots_per_line_ - 1) + slot_time_ >
-      timing_.line_period().times(1)) {
+  const VideoGaps gaps = video_gaps(timing.line_period(), timing.pixel_period(), timing.width(),
+                                    timing.blanking(), parameters);
+  if (gaps.after_last < Duration::zero()) {
     throw std::invalid_argument("the last video slot of a line must end within its line");
   }
-  // Both gaps are at least as wide as the rounding of their ends to whole picoseconds leaves them.
-  const Duration within_line = slot_period_.times(1) - slot_time_;
-  const Duration between_lines =
-      timing_.line_period().times(1) - slot_period_.times(slots_per_line_ - 1) - slot_time_;
-  if (std::min(within_line, between_lines) < access_time_) {
+  if (gaps.narrowest() < access_time_) {
     throw std::invalid_argument("an access to the frame memory never fits between video slots");
   }
 }

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "models/board/work_cost.hpp"
+#include "models/bus/checked_sum.hpp"
 #include "models/display/pixel_format.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/counted_pixel.hpp"
@@ -31,10 +32,12 @@ std::uint32_t& pixel_at(const models::PixelPosition& position, models::Picture& 
               static_cast<std::size_t>(position.column)];
 }
 
+void add(models::Duration time, models::Duration& sum) { sum = models::checked_sum(sum, time); }
+
 }  // namespace
 
 models::Duration TileTimes::sum() const {
-  return std::accumulate(times.begin(), times.end(), models::Duration::zero());
+  return std::accumulate(times.begin(), times.end(), models::Duration::zero(), models::checked_sum);
 }
 
 TileTimes counted_tile_times(const Scene& scene, const Machine& machine, int share) {
@@ -45,8 +48,8 @@ TileTimes counted_tile_times(const Scene& scene, const Machine& machine, int sha
   const models::PixelRectangle& zone = tiles.grid.zone;
   for (const models::PixelPosition& position :
        pixels_of(pixel_sample(machine, zone, share), zone)) {
-    tiles.times[tiles.grid.number_at(position)] +=
-        cost.duration(counted_pixel(counted.frame(), area.view(), position).work);
+    add(cost.duration(counted_pixel(counted.frame(), area.view(), position).work),
+        tiles.times[tiles.grid.number_at(position)]);
   }
   return tiles;
 }
@@ -56,7 +59,7 @@ TileTimes executed_tile_times(const Scene& scene, const Machine& machine, int sh
   const models::PixelFormat format(machine.parameters.frame_memory);
   TileTimes tiles = without_times(prepared(scene, machine));
   execute_pixels(scene, machine, share, [&](const ExecutedPixel& pixel) {
-    tiles.times[tiles.grid.number_at(pixel.position)] += pixel.time;
+    add(pixel.time, tiles.times[tiles.grid.number_at(pixel.position)]);
     pixel_at(pixel.position, picture) = format.colour(pixel.bytes & format.kept());
     return !Interruption::is_requested();
   });

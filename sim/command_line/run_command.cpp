@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "models/bus/bus_levels.hpp"
+#include "models/bus/instant.hpp"
 #include "sim/command_line/common_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/report/image_file.hpp"
@@ -107,6 +108,10 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
     }
     if (instants.back().count() < 0) {
       throw DescriptionError(position, "a time before the frame; allowed: 0 s and later");
+    }
+    if (instants.back() > models::k_longest_run) {
+      throw DescriptionError(position,
+                             "no frame takes so long; allowed: up to 8640000 s, 100 days");
     }
   }
   return instants;

@@ -117,9 +117,10 @@ int stability(const StabilityOptions& options, const std::vector<std::string>& c
 void add_stability_command(CLI::App& program, const std::vector<std::string>& command,
                            int& exit_code) {
   const auto options = std::make_shared<StabilityOptions>();
-  CLI::App& verb = *program.add_subcommand(
-      "stability",
-      "how far to trust the numbers: roots, scale, secondary rays, solids, extreme inputs");
+  CLI::App& verb = *program.add_subcommand("stability",
+                                           "how far to trust the numbers: extreme machines, roots, "
+                                           "scale, secondary rays, solids, extreme "
+                                           "inputs");
   add_footer(verb, "The exit code is 1 when a bound is broken.",
              {"maquette stability --only roots,scale"});
   add_options(verb, *options);

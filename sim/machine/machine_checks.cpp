@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "models/bus/instant.hpp"
+#include "models/display/video_gaps.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -108,14 +110,36 @@ void check_picture_width(const models::MachineParameters& parameters, const Yaml
   }
 }
 
+std::string all_boards(const models::MachineParameters& parameters) {
+  const std::size_t count = parameters.boards.size();
+  return count == 1 ? "board0" : "board0 to board" + std::to_string(count - 1);
+}
+
 void check_video_slots(const models::MachineParameters& parameters, const YamlNode& root) {
   const models::FrameMemoryParameters& memory = parameters.frame_memory;
-  const double period_ps = memory.video_slot_pixels / parameters.video.pixel_clock_hz * k_ps_per_s;
-  if (memory.video_priority && static_cast<double>(memory.video_slot_time.count()) >= period_ps) {
+  const models::VideoParameters& video = parameters.video;
+  if (!memory.video_priority) {
+    return;
+  }
+  const std::int64_t lines_per_s = std::int64_t{video.lines_per_frame} * video.frames_per_s;
+  const models::VideoGaps gaps =
+      models::video_gaps({static_cast<std::int64_t>(k_ps_per_s), lines_per_s},
+                         models::Period::of_frequency(video.pixel_clock_hz), memory.width,
+                         video.line_blanking, memory);
+  const auto at_most = [](models::Duration time) {
+    return format_quantity(std::max<std::int64_t>(time.count(), 0), WholeDimension::time) +
+           " is allowed";
+  };
+  if (gaps.within_line <= models::Duration::zero() || gaps.after_last < models::Duration::zero()) {
+    const models::Duration excess = std::min(gaps.within_line - models::k_tick, gaps.after_last);
     fail_at(root, "frame_memory.video_slot_time",
-            "leaves nothing to the bus; less than " +
-                format_quantity(static_cast<std::int64_t>(period_ps), WholeDimension::time) +
-                " is allowed, the time of its pixels");
+            "leaves nothing to the bus, so that " + all_boards(parameters) +
+                " would starve; at most " + at_most(memory.video_slot_time + excess));
+  }
+  if (gaps.narrowest() < memory.access_time) {
+    fail_at(root, "frame_memory.access_time",
+            "never fits between the slots of the video reader, so that " + all_boards(parameters) +
+                " would starve; at most " + at_most(gaps.narrowest()));
   }
 }
 

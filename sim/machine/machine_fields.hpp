@@ -43,7 +43,7 @@ template <class Visitor>
 void declare_board_bus(Visitor& visitor, models::Kvm02Parameters& board) {
   visitor.field({"access", "off-board access of a fast slave, bus already held",
                  "VM02 data sheet p. 2-57 with a base of 4 clocks [I]"},
-                board.access_clocks, k_clocks);
+                board.access_clocks, WholeType{WholeDimension::clocks, {1, 100'000}});
   visitor.field({"access_slack", "slave access time that costs no extra clock",
                  "VM02 data sheet p. 2-57 [R]"},
                 board.access_slack, k_time);

@@ -28,6 +28,13 @@ struct RecordedFrame {
   models::PixelRectangle useful_zone;
   firmware::Work preprocessing{};
   std::vector<models::SynthesizedPixel> pixels;  ///< row-major in the useful zone
+
+  /// The pixel at a position of the useful zone.
+  [[nodiscard]] const models::SynthesizedPixel& at(const models::PixelPosition& position) const {
+    const auto row = static_cast<std::size_t>(position.row - useful_zone.row0);
+    const auto column = static_cast<std::size_t>(position.column - useful_zone.column0);
+    return pixels[row * static_cast<std::size_t>(useful_zone.width) + column];
+  }
 };
 
 /// The key of a scene as this program's firmware would synthesise it.

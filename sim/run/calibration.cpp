@@ -63,7 +63,7 @@ void judge(const std::vector<CostSample>& samples, Calibration& calibration) {
 bool is_calibrated(const Machine& machine) {
   switch (machine.cost_origin) {
     case CostOrigin::calibrated:
-      return !obstacle_to_execution(trial_machine(machine)).has_value();
+      return !obstacle_to_execution(sample_machine(machine)).has_value();
     case CostOrigin::tables:
       break;
   }

@@ -6,6 +6,9 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "models/bus/checked_sum.hpp"
+#include "models/bus/wide.hpp"
+
 namespace maquette::sim {
 
 namespace {
@@ -16,9 +19,8 @@ std::string board_name(int board) {
   return board == models::k_nobody ? "nobody" : fmt::format("board{}", board);
 }
 
-double ratio(Duration part, Duration whole) {
-  return whole.count() > 0 ? static_cast<double>(part.count()) / static_cast<double>(whole.count())
-                           : 0;
+double ratio(models::Wide part_ps, Duration whole) {
+  return whole.count() > 0 ? static_cast<double>(part_ps) / static_cast<double>(whole.count()) : 0;
 }
 
 WaitQuantiles quantiles_of(const models::WaitHistogram& waits) {
@@ -78,22 +80,31 @@ double fairness_of(const models::MachineStatistics& model) {
   return squares > 0 ? sum * sum / (boards * squares) : 1;
 }
 
+/// Of all backplanes.
+Duration bus_time_of(const models::MachineStatistics& model) {
+  Duration time{};
+  for (int backplane = 0; backplane < model.backplanes; ++backplane) {
+    time = models::checked_sum(time, model.frame_time);
+  }
+  return time;
+}
+
 /// The requests of the host, before the frame, stood alone: they are taken off the queue.
 QueueStatistics queue_statistics(const models::MachineStatistics& model) {
-  const Duration bus_time = model.frame_time * model.backplanes;
+  const Duration bus_time = bus_time_of(model);
   std::vector<Duration> times{bus_time};
   times.insert(times.end(), model.bus.queue_times.begin(), model.bus.queue_times.end());
   for (std::size_t i = model.boards.size(); i < model.bus.masters.size(); ++i) {
     times[1] -= model.bus.masters[i].waited;
   }
-  Duration requests{};
+  models::Wide requests_ps = 0;
   QueueStatistics queue;
   for (std::size_t length = 1; length < times.size(); ++length) {
     times[0] -= times[length];
-    requests += times[length] * static_cast<std::int64_t>(length);
+    requests_ps += static_cast<models::Wide>(times[length].count()) * length;
   }
   times[0] = std::max(times[0], Duration::zero());  // an interrupted bus may be ahead of the kernel
-  queue.mean = ratio(requests, bus_time);
+  queue.mean = ratio(requests_ps, bus_time);
   for (std::size_t length = 0; length < times.size(); ++length) {
     if (times[length] > Duration::zero()) {
       queue.longest = static_cast<int>(length);
@@ -107,22 +118,23 @@ QueueStatistics queue_statistics(const models::MachineStatistics& model) {
 
 BusStatistics contention_statistics(const models::MachineStatistics& model) {
   BusStatistics bus;
-  Duration waited{};
+  models::Wide waited_ps = 0;
   models::WaitHistogram waits;
   for (std::size_t i = 0; i < model.boards.size(); ++i) {
     const models::BoardStatistics& board = model.boards[i];
     bus.transfers += board.words;
     bus.database_words += board.database_words;
-    bus.busy += board.transfer;
-    waited += board.wait_grant;
+    bus.busy = models::checked_sum(bus.busy, board.transfer);
+    waited_ps += board.wait_grant.count();
     bus.wait_max = std::max(bus.wait_max, board.longest_wait);
     waits.add(model.bus.masters[i].waits);
     bus.masters.push_back(master_statistics(model, i));
   }
   if (bus.transfers > 0) {
-    bus.wait_mean = (waited + Duration(bus.transfers / 2)) / bus.transfers;
+    bus.wait_mean =
+        Duration(static_cast<Duration::rep>((waited_ps + bus.transfers / 2) / bus.transfers));
   }
-  bus.utilisation = ratio(bus.busy, model.frame_time * model.backplanes);
+  bus.utilisation = ratio(bus.busy.count(), bus_time_of(model));
   bus.wait_quantiles = quantiles_of(waits);
   bus.longest_wait = longest_wait(model);
   bus.fairness = fairness_of(model);

@@ -102,16 +102,17 @@ class PixelFollower {
 }  // namespace
 
 void execute_pixels(const Scene& scene, const Machine& machine, int share, const PixelTaker& take) {
-  require_execution(machine);
+  const Machine alone = board_alone(machine);
+  require_execution(alone);
   const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
   SynthesisArea<float> area(prepared.frame().database);
-  const firmware::BoardOrder order = sample_order(machine, useful_zone_of(prepared.frame()), share);
-  BoardImage image = board_image(models::numbers_of(machine.parameters.board.arithmetic),
-                                 prepared.frame(), area.view(), order, roomy(machine, order));
-  PixelFollower follower(machine, order, take);
+  const firmware::BoardOrder order = sample_order(alone, useful_zone_of(prepared.frame()), share);
+  BoardImage image = board_image(models::numbers_of(alone.parameters.board.arithmetic),
+                                 prepared.frame(), area.view(), order, roomy(alone, order));
+  PixelFollower follower(alone, order, take);
   models::ProgramSlots slots(1);
   BoardProgram program({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())},
-                       program_entry(image), host_routines(machine, image), slots);
+                       program_entry(image), host_routines(alone, image), slots);
   while (follower.follow(program.next())) {
   }
 }

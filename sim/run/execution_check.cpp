@@ -10,22 +10,23 @@ namespace maquette::sim {
 
 namespace {
 
-/// Behind the last address that a board's program uses.
-std::uint64_t address_end(const models::MachineParameters& parameters) {
+constexpr std::uint64_t k_addresses = std::uint64_t{1} << 24U;  // of an MC68000
+constexpr std::uint64_t k_mbyte = std::uint64_t{1} << 20U;
+
+/// Where what a program reads and writes ends.
+std::uint64_t end_of_addresses(const models::MachineParameters& parameters) {
   const models::MachineAddresses addresses = models::machine_addresses(parameters, 0);
-  if (models::is_claimed(parameters.allotment.assignment)) {
-    return addresses.shared.base + models::SharedWindow::k_header_bytes;
-  }
-  const auto pixels = static_cast<std::uint64_t>(parameters.frame_memory.width) *
-                      static_cast<std::uint64_t>(parameters.frame_memory.height);
-  return addresses.frame.base + pixels * models::FrameMemory::k_pixel_bytes;
+  const std::uint64_t pixels = static_cast<std::uint64_t>(parameters.frame_memory.width) *
+                               static_cast<std::uint64_t>(parameters.frame_memory.height);
+  return models::is_claimed(parameters.allotment.assignment)
+             ? addresses.shared.base + models::SharedWindow::k_header_bytes
+             : addresses.frame.base + pixels * models::FrameMemory::k_pixel_bytes;
 }
 
 }  // namespace
 
 std::optional<std::string> obstacle_to_execution(const Machine& machine) {
   constexpr int k_word_bits = 16;
-  constexpr std::uint64_t k_address_space_bytes = std::uint64_t{1} << 24U;
   const models::MachineParameters& parameters = machine.parameters;
   const models::ArithmeticCosts& arithmetic = parameters.board.arithmetic;
   if (arithmetic.execution == models::ArithmeticExecution::none) {
@@ -45,13 +46,18 @@ std::optional<std::string> obstacle_to_execution(const Machine& machine) {
   if (parameters.bus.data_width_bits != k_word_bits) {
     return "an MC68000 has a data bus of 16 bits; set bus.data_width=\"16 bits\"";
   }
-  if (address_end(parameters) > k_address_space_bytes) {
+  if (const std::uint64_t end = end_of_addresses(parameters); end > k_addresses) {
     return fmt::format(
-        "the {} boards' memories and the frame memory do not fit the 16 MiB that an MC68000 "
-        "addresses; set fewer processors",
-        parameters.boards.size());
+        "its 24 bits of address reach 16 Mbyte, and the memories of {} boards and of the picture "
+        "end at {:.1f} Mbyte; take fewer processors or a smaller picture",
+        parameters.boards.size(), static_cast<double>(end) / k_mbyte);
   }
   return std::nullopt;
+}
+
+Machine board_alone(Machine machine) {
+  machine.parameters.boards.resize(1);
+  return machine;
 }
 
 void require_execution(const Machine& machine) {

@@ -11,6 +11,9 @@ namespace maquette::sim {
 /// can.
 [[nodiscard]] std::optional<std::string> obstacle_to_execution(const Machine& machine);
 
+/// The machine with one of its boards, for what a board does alone.
+[[nodiscard]] Machine board_alone(Machine machine);
+
 /// Throws DescriptionError, with that reason, when the boards of a machine can not execute their
 /// program.
 void require_execution(const Machine& machine);

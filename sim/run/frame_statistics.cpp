@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "models/bus/wide.hpp"
 #include "sim/run/contention_statistics.hpp"
 
 namespace maquette::sim {
@@ -53,15 +54,15 @@ RootStatistics roots_of(const OperationCounts& work) {
 /// Busy is what is not idle.
 double imbalance_of(const models::MachineStatistics& model) {
   models::Duration longest{};
-  models::Duration sum{};
+  models::Wide sum_ps = 0;
   for (const models::BoardStatistics& board : model.boards) {
     longest = std::max(longest, model.frame_time - board.idle);
-    sum += model.frame_time - board.idle;
+    sum_ps += (model.frame_time - board.idle).count();
   }
-  return sum.count() == 0
+  return sum_ps == 0
              ? 0
              : static_cast<double>(longest.count()) * static_cast<double>(model.boards.size()) /
-                       static_cast<double>(sum.count()) -
+                       static_cast<double>(sum_ps) -
                    1;
 }
 

@@ -5,6 +5,7 @@
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/executed_pixels.hpp"
+#include "sim/run/execution_check.hpp"
 
 namespace maquette::sim {
 
@@ -15,13 +16,12 @@ constexpr std::int64_t k_wanted_pixels = 780;
 
 }  // namespace
 
-Machine trial_machine(const Machine& machine) {
-  Machine trial = machine;
-  trial.parameters.boards.resize(1);
-  trial.parameters.allotment = {};
-  trial.parameters.board.database = models::DatabasePlace::own_copy;
-  trial.parameters.bus.data_width_bits = models::VersaBusParameters{}.data_width_bits;
-  return trial;
+Machine sample_machine(const Machine& machine) {
+  Machine sample = board_alone(machine);
+  sample.parameters.allotment = {};
+  sample.parameters.board.database = models::DatabasePlace::own_copy;
+  sample.parameters.bus.data_width_bits = models::VersaBusParameters{}.data_width_bits;
+  return sample;
 }
 
 std::vector<CostSample> program_samples(const Scene& scene, const Machine& machine) {
@@ -31,7 +31,7 @@ std::vector<CostSample> program_samples(const Scene& scene, const Machine& machi
   const std::int64_t share = useful_zone_of(prepared.frame()).pixels() / k_wanted_pixels;
   std::vector<CostSample> samples;
   execute_pixels(
-      scene, trial_machine(machine), static_cast<int>(std::max<std::int64_t>(1, share)),
+      scene, sample_machine(machine), static_cast<int>(std::max<std::int64_t>(1, share)),
       [&](const ExecutedPixel& pixel) {
         samples.push_back(
             {counted_pixel(prepared.frame(), area.view(), pixel.position).work, pixel.program});

@@ -8,9 +8,9 @@
 
 namespace maquette::sim {
 
-/// A machine on which the program of `machine` is tried: one board with its own database, a bus of
+/// A machine on which the program of `machine` is sampled: one board with its own database, a bus of
 /// 16 bits, pixels one by one. What the program takes for a pixel is the same there.
-Machine trial_machine(const Machine& machine);
+Machine sample_machine(const Machine& machine);
 
 /// What the program of a machine's boards takes for some hundreds of pixels, spread over the useful
 /// zone, and what each was counted to do. Arithmetic that the host executes in the package's place

@@ -1,12 +1,13 @@
 #include "sim/run/simulation.hpp"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <systemc>
 
 #include <fmt/format.h>
 
+#include "firmware/synthesize.hpp"
 #include "models/board/work_cost.hpp"
 #include "models/bus/kernel_time.hpp"
 #include "models/display/video_reader.hpp"
@@ -16,17 +17,17 @@
 #include "sim/database/memory_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
-#include "sim/run/counted_source.hpp"
+#include "sim/run/frame_pixels.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/line_recorder.hpp"
-#include "sim/run/recorded_source.hpp"
+#include "sim/run/time_forecast.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
-/// Between two looks at the host: progress, interruption.
+/// At least so long between two looks at the host: progress, interruption.
 constexpr models::Duration k_slice = std::chrono::seconds(1);
 
 /// Gives the host what it writes: the database into every board or where they share it, and code of
@@ -42,23 +43,6 @@ void set_images(const PackedScene<float>& packed, const Machine& machine, const 
   setup.images.assign(machine.parameters.boards.size(), image);
 }
 
-/// Where a run's pixels come from.
-struct Pixels {
-  std::unique_ptr<models::PixelSource> source;
-  models::PixelRectangle zone;
-};
-
-Pixels pixels_of(const Scene& scene, const Machine& machine, const SimulationRequest& request) {
-  if (request.record != nullptr) {
-    return {std::make_unique<RecordedSource>(*request.record, machine),
-            request.record->useful_zone};
-  }
-  auto source = std::make_unique<CountedSource>(
-      packed_scene<firmware::Counted>(scene, picture_format_of(machine)), machine, request.threads);
-  const models::PixelRectangle zone = source->useful_zone();
-  return {std::move(source), zone};
-}
-
 /// Share of the pixels that the boards have taken, 0 to 1.
 double fraction_taken(const models::CcettMachine& model, const models::PixelRectangle& zone) {
   return zone.pixels() == 0
@@ -68,11 +52,16 @@ double fraction_taken(const models::CcettMachine& model, const models::PixelRect
 
 void run_kernel(const models::CcettMachine& model, const models::PixelRectangle& zone,
                 const Continue& go_on) {
+  sc_core::sc_time slice = models::to_sc_time(k_slice);
   while (!model.finished()) {
-    sc_core::sc_start(models::to_sc_time(k_slice));
+    sc_core::sc_start(slice);
     if (!go_on(models::kernel_now(), fraction_taken(model, zone))) {
       return;
     }
+    if (!model.finished() && !sc_core::sc_pending_activity()) {
+      throw std::logic_error("the machine stands still before its boards are done");
+    }
+    slice = std::max(models::to_sc_time(k_slice), sc_core::sc_time_to_pending_activity());
   }
 }
 
@@ -199,31 +188,44 @@ void check_fit(const Scene& scene, const Machine& machine) {
   checked_map(scene, machine, packed_scene<float>(scene, picture_format_of(machine)));
 }
 
-SimulationResult simulate(const Scene& scene, const Machine& machine,
-                          const SimulationRequest& request, const Continue& go_on) {
+namespace {
+
+SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
+                                  const SimulationRequest& request, const Continue& go_on) {
   const auto packed = packed_scene<float>(scene, picture_format_of(machine));
   const MemoryMap map = checked_map(scene, machine, packed);
-  const Pixels pixels = pixels_of(scene, machine, request);
+  const Machine roomy = with_room(machine, map);
+  const std::optional<Calibration> calibration = calibration_of(scene, roomy, request);
+  const Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
+  const FramePixels pixels =
+      frame_pixels(scene, priced, request.record, request.executed, request.threads);
   models::FrameSetup setup;
   setup.useful_zone = pixels.zone;
   setup.background = firmware::rgb_of(packed.header.background);
   if (request.executed) {
-    set_programs(packed, with_room(machine, map), request.threads, setup);
+    set_programs(packed, roomy, request.threads, setup);
   } else {
     set_images(packed, machine, map, setup);
   }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
+  require_transfer_time(priced, setup);
+  SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);
+  result.statistics.costs = cost_statistics(priced, request.executed, calibration);
+  result.times_from =
+      calibration ? times_from(*calibration) : times_from(machine, request.executed);
+  return result;
+}
+
+}  // namespace
+
+SimulationResult simulate(const Scene& scene, const Machine& machine,
+                          const SimulationRequest& request, const Continue& go_on) {
   try {
-    const Machine roomy = with_room(machine, map);
-    const std::optional<Calibration> calibration = calibration_of(scene, roomy, request);
-    const Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
-    SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);
-    result.statistics.costs = cost_statistics(priced, request.executed, calibration);
-    result.times_from =
-        calibration ? times_from(*calibration) : times_from(machine, request.executed);
-    return result;
+    return simulate_checked(scene, machine, request, go_on);
   } catch (const std::invalid_argument& error) {
     throw DescriptionError(std::string("these parameters make no machine: ") + error.what());
+  } catch (const std::overflow_error& error) {
+    throw DescriptionError(error.what());
   } catch (const sc_core::sc_report& report) {
     throw DescriptionError(std::string("the machine does not work: ") + report.get_msg());
   }

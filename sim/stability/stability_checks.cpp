@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <type_traits>
 
 #include "sim/stability/coincident_faces.hpp"
+#include "sim/stability/counted_transfers.hpp"
+#include "sim/stability/crowded_machines.hpp"
 #include "sim/stability/extreme_scenes.hpp"
 #include "sim/stability/extreme_solids.hpp"
 #include "sim/stability/ray_parity.hpp"
@@ -11,6 +15,7 @@
 #include "sim/stability/root_families.hpp"
 #include "sim/stability/scene_scale.hpp"
 #include "sim/stability/secondary_rays.hpp"
+#include "sim/stability/stiff_machines.hpp"
 #include "sim/stability/thin_shells.hpp"
 
 namespace maquette::sim {
@@ -24,6 +29,8 @@ constexpr int k_body_trials = 4000;
 constexpr int k_stretched_trials = 5000;
 constexpr int k_generatrix_trials = 4000;
 constexpr int k_replacement_trials = 4000;
+constexpr double k_transfers = 1e9;
+constexpr std::int64_t k_least_transfers = 1'000'000;
 
 }  // namespace
 
@@ -37,16 +44,35 @@ StabilityMaterial stability_material(const std::string& scenes_directory,
 }
 
 const std::vector<std::string>& stability_groups() {
-  static const std::vector<std::string> groups{"roots", "scale", "secondary_rays", "csg",
-                                               "extreme"};
+  static const std::vector<std::string> groups{"machines",       "roots", "scale",
+                                               "secondary_rays", "csg",   "extreme"};
   return groups;
 }
+
+namespace {
+
+/// Of machines, in which no number type shows. First, since processes are best forked before there
+/// are threads.
+void append_machine_checks(double share, std::vector<StabilityCheck>& checks) {
+  for (const auto& cases :
+       {stiff_machines, endless_machines, crowded_machines, watched_machines, starving_machines}) {
+    checks.push_back({"machines", [cases] { return machine_case_rows(cases()); }});
+  }
+  const auto transfers =
+      std::max<std::int64_t>(k_least_transfers, static_cast<std::int64_t>(share * k_transfers));
+  checks.push_back({"machines", [transfers] { return counted_transfer_rows(transfers); }});
+}
+
+}  // namespace
 
 template <class Real>
 std::vector<StabilityCheck> stability_checks(const StabilityMaterial& material, double share) {
   const auto trials = [share](int all) { return std::max(1, static_cast<int>(share * all)); };
   const int width = static_cast<int>(k_picture_width * std::sqrt(share));
   std::vector<StabilityCheck> checks;
+  if (std::is_same_v<Real, float>) {
+    append_machine_checks(share, checks);
+  }
   checks.push_back({"roots", [&material] { return root_rows<Real>(material.exact_roots_file); }});
   for (const ShippedScene& scene : material.scenes) {
     checks.push_back({"scale", [&scene, width] { return scale_rows<Real>(scene, width); }});

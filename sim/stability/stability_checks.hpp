@@ -30,9 +30,9 @@ struct StabilityCheck {
 /// The groups of checks, in their order.
 [[nodiscard]] const std::vector<std::string>& stability_groups();
 
-/// All checks of one number type, each primitive and each scene of the material one by one. `share`
-/// of the full number of random cases and pixels is tried, above 0 and 1 for all. The material must
-/// outlive the checks.
+/// All checks of one number type, each primitive and each scene of the material one by one; those
+/// of machines, which have none, are among those of float. `share` of the full number of random
+/// cases and pixels is tried, above 0 and 1 for all. The material must outlive the checks.
 template <class Real>
 [[nodiscard]] std::vector<StabilityCheck> stability_checks(const StabilityMaterial& material,
                                                            double share);

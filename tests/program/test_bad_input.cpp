@@ -101,6 +101,29 @@ TEST_CASE("A machine whose bus times out is reported, not simulated on") {
   CHECK_FALSE(std::filesystem::exists(scratch / "out" / "stats.json"));
 }
 
+TEST_CASE("A frame that takes longer than simulated time goes is refused with how long") {
+  const ScratchDirectory scratch;
+  const std::string scene =
+      "run " + std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/photo4.yaml";
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome =
+        run_maquette(scene + " " + options + " --outdir " + (scratch / "out").string());
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(std::filesystem::exists(scratch / "out" / "stats.json"));
+    return outcome.errors;
+  };
+  CHECK_THAT(refused("--set 'board.clock=1 kHz' --set 'board.refresh_period=0 s' "
+                     "--set processors=1"),
+             Catch::Matchers::ContainsSubstring("board0 would compute for at least 149.5 days"));
+  CHECK_THAT(refused("--set 'board.clock=4 MHz' --set board.call_overhead.clocks=10000000"),
+             Catch::Matchers::ContainsSubstring("board0 would compute for at least 215.8 days"));
+  CHECK_THAT(refused("--set 'bus.clock=1 kHz' --set 'bus.arbitration_clocks=100000 clocks'"),
+             Catch::Matchers::ContainsSubstring(
+                 "the bus would be busy with the pixels for at least 466.9 days"));
+  CHECK_THAT(refused("--snapshot '9223372 s'"),
+             Catch::Matchers::ContainsSubstring("up to 8640000 s"));
+}
+
 TEST_CASE("An output that cannot be written is an error before the simulation") {
   const ScratchDirectory scratch;
   const std::string file = scratch.file("occupied", "a file");

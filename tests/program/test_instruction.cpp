@@ -89,9 +89,15 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
   CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
   CHECK_THAT(refused("--set board.arithmetic=vax_11_750_fpa"), ContainsSubstring("vax_11_750_fpa"));
   CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
-  CHECK_THAT(refused("--set processors=64"), ContainsSubstring("16 MiB"));
   CHECK_THAT(refused("--set board.arithmetic=ieee_single --set board.arithmetic.execution=package"),
              ContainsSubstring("board.arithmetic.execution=costs"));
+  CHECK_THAT(refused("--set processors=64"), ContainsSubstring("24 bits of address"));
+}
+
+TEST_CASE("boards that have no place in the addresses of an MC68000 are calibrated by one alone") {
+  const ScratchDirectory scratch;
+  const auto directory = run(scratch, "counted", "--set processors=64");
+  CHECK(statistics(directory)["costs"]["from"] == "calibration");
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <limits>
 #include <stdexcept>
 
 #include "models/board/work_cost.hpp"
@@ -53,6 +54,35 @@ TEST_CASE("odd clocks and the largest work stay exact") {
   const long double clock_ps = 1e12L / 14318181.0L;
   const long double expected = clocks * clock_ps / (1 - 4 * clock_ps / 15'625'001.0L);
   CHECK(static_cast<double>(cost.duration(work).count() - expected) == Approx(0).margin(2));
+}
+
+TEST_CASE("work that is longer than any time takes the longest") {
+  Kvm02Parameters parameters = board();
+  parameters.clock_hz = 1e3;
+  parameters.refresh_period = Duration{1'000'000'000'000};
+  for (OperationCost& cost : parameters.arithmetic.operations) {
+    cost = {1e7, 1e7, 1e7};
+  }
+  Work work{};
+  for (std::uint32_t& count : work.counts) {
+    count = 4'294'967'295U;
+  }
+  CHECK(WorkCost(parameters).milliclocks(work) == std::numeric_limits<std::int64_t>::max());
+  CHECK(WorkCost(parameters).duration(work) == Duration::max());
+}
+
+TEST_CASE("refresh of odd clocks and long periods stays exact") {
+  Kvm02Parameters parameters = board();
+  parameters.clock_hz = 999'999'999.989;
+  parameters.refresh_period = Duration{999'999'999'989};
+  parameters.refresh_clocks = 100'000;
+  Work work{};
+  work[Operation::node] = 4'000'000'000U;
+  const long double clocks = 15.0L * 4'000'000'000U;
+  const long double clock_ps = 1e12L / 999'999'999.989L;
+  const long double expected = clocks * clock_ps / (1 - 100'000 * clock_ps / 999'999'999'989.0L);
+  CHECK(static_cast<double>(static_cast<long double>(WorkCost(parameters).duration(work).count()) -
+                            expected) == Approx(0).margin(2));
 }
 
 TEST_CASE("costs that make no sense are refused") {

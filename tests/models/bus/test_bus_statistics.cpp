@@ -1,6 +1,7 @@
 #include "models/bus/bus_statistics.hpp"
 
 #include <random>
+#include <stdexcept>
 
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
@@ -68,6 +69,18 @@ TEST_CASE("backplanes combined keep every board's figures, and sum up the host's
       CHECK(waited == master.waited);
     }
   }
+}
+
+TEST_CASE("what backplanes have together and no duration holds is refused") {
+  std::mt19937 generator(31);
+  std::vector<BusStatistics> backplanes{random_backplane(generator, 2),
+                                        random_backplane(generator, 2)};
+  for (BusStatistics& backplane : backplanes) {
+    backplane.queue_times[0] = k_longest_run;
+  }
+  CHECK_THROWS_AS(combined(backplanes, 2), std::overflow_error);
+  backplanes[0].masters[0].busy = backplanes[0].masters[1].busy = k_longest_run;
+  CHECK_THROWS_AS(total(backplanes[0]), std::overflow_error);
 }
 
 TEST_CASE("the longest wait is that of the earliest master that had it") {

@@ -40,6 +40,15 @@ TEST_CASE("what is no frequency is refused") {
   CHECK_THROWS_AS(Period(1, -1), std::invalid_argument);
 }
 
+TEST_CASE("times that are longer than any are the longest") {
+  CHECK(Period(1'000'000'000, 1).times(9'223'372'036) == Duration{9'223'372'036'000'000'000});
+  CHECK(Period(1'000'000'000, 1).times(9'223'372'037) == Duration::max());
+  CHECK(Period(1'000'000'000'000, 7).times(1'000'000'000'000) == Duration::max());
+  CHECK(Period(9'000'000'000'000'000'000, 7).times(7) == Duration{9'000'000'000'000'000'000});
+  CHECK_THROWS_AS(Period(1'000'000'000'000'000, 3).multiplied(65'535), std::invalid_argument);
+  CHECK(Period(1'000'000'000'000'000, 3).multiplied(3).times(1) == Duration{1'000'000'000'000'000});
+}
+
 TEST_CASE("off-board access times of the KVM02: all rows of the data sheet, both ends") {
   const AccessLaw law{Period::of_frequency(8e6), 5, Duration{70'000}};
   struct Row {

@@ -311,6 +311,11 @@ TEST_CASE("what no single value of a machine shows is checked") {
   check_error(with_override("frame_memory.height=1000 pixels"), "--set ",
               "first field ends in line");
   check_error(with_override("frame_memory.video_slot_time=2 us"), "--set ", "leaves nothing");
+  check_error(with_override("frame_memory.video_slot=1 pixel"), "",
+              "board0 to board3 would starve; at most 67795 ps");
+  check_error(with_override("frame_memory.access_time=1 us"), "--set ",
+              "board0 to board3 would starve; at most 684745 ps");
+  check_error(with_override("board.access=0 clocks"), "--set ", "allowed: 1 clock");
   check_error(with_override("board.ram=12 KiB"), "--set ", "not even the stack");
   check_error(with_override("board.refresh=200 clocks"), "--set ", "leaves nothing");
   check_error(with_override("bus.timeout=200 ns"), "", "bus.timeout");

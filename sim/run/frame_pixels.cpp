@@ -1,0 +1,51 @@
+#include "sim/run/frame_pixels.hpp"
+
+#include <utility>
+
+#include "sim/run/counted_pixel.hpp"
+#include "sim/run/counted_source.hpp"
+#include "sim/run/frame_recorder.hpp"
+#include "sim/run/recorded_source.hpp"
+#include "sim/run/time_forecast.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+FramePixels recorded_pixels(const RecordedFrame& record, const Machine& machine) {
+  if (may_take_long(machine, record.useful_zone, record.preprocessing,
+                    [&](const auto& position) { return record.at(position).work; })) {
+    require_computing_time(machine, record);
+  }
+  return {nullptr, std::make_unique<RecordedSource>(record, machine), record.useful_zone};
+}
+
+bool may_take_long(const CountedSource& source, const Machine& machine) {
+  SynthesisArea<firmware::Counted> area(source.frame().database);
+  return may_take_long(machine, source.useful_zone(), source.preprocessing(),
+                       [&](const auto& position) {
+                         return counted_pixel(source.frame(), area.view(), position).work;
+                       });
+}
+
+}  // namespace
+
+FramePixels frame_pixels(const Scene& scene, const Machine& machine, const RecordedFrame* record,
+                         bool executed, int threads) {
+  if (record != nullptr) {
+    return recorded_pixels(*record, machine);
+  }
+  const PictureFormat format = picture_format_of(machine);
+  auto source = std::make_unique<CountedSource>(packed_scene<firmware::Counted>(scene, format),
+                                                machine, threads);
+  if (executed || !may_take_long(*source, machine)) {
+    const models::PixelRectangle zone = source->useful_zone();
+    return {nullptr, std::move(source), zone};
+  }
+  auto made = std::make_unique<RecordedFrame>(record_frame(scene, format, threads));
+  FramePixels pixels = recorded_pixels(*made, machine);
+  pixels.record = std::move(made);
+  return pixels;
+}
+
+}  // namespace maquette::sim
