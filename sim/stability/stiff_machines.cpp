@@ -1,5 +1,6 @@
 #include "sim/stability/stiff_machines.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "models/bus/wide.hpp"
@@ -22,19 +23,22 @@ Duration clocks(std::int64_t count, double clock_hz) {
   return Duration{static_cast<std::int64_t>(count * k_ps_millihertz / millihertz)};
 }
 
-/// An access of a board, by the rule of the VM02 data sheet: whole clocks, the last one begun.
+/// The clocks begun in a time, none in a negative one.
+std::int64_t clocks_begun(Duration time, double clock_hz) {
+  constexpr models::Wide k_ps_millihertz = 1'000'000'000'000'000;
+  const auto millihertz = static_cast<std::int64_t>(std::llround(clock_hz * 1e3));
+  const auto ps = static_cast<models::Wide>(std::max(time, Duration::zero()).count());
+  return static_cast<std::int64_t>((ps * millihertz + k_ps_millihertz - 1) / k_ps_millihertz);
+}
+
+/// An access of a board, by the rule of the VM02 data sheet: whole clocks, the last one begun, and
+/// never less than the slave takes.
 Duration access_of(const models::MachineParameters& parameters) {
   const models::Kvm02Parameters& board = parameters.board;
-  const Duration beyond = parameters.frame_memory.access_time - board.access_slack;
-  std::int64_t count = board.access_clocks;
-  if (beyond > Duration::zero()) {
-    constexpr models::Wide k_ps_millihertz = 1'000'000'000'000'000;
-    const auto millihertz = static_cast<std::int64_t>(std::llround(board.clock_hz * 1e3));
-    count += static_cast<std::int64_t>(
-        (static_cast<models::Wide>(beyond.count()) * millihertz + k_ps_millihertz - 1) /
-        k_ps_millihertz);
-  }
-  return clocks(count, board.clock_hz);
+  const Duration slave = parameters.frame_memory.access_time;
+  const std::int64_t by_slack =
+      board.access_clocks + clocks_begun(slave - board.access_slack, board.clock_hz);
+  return clocks(std::max(by_slack, clocks_begun(slave, board.clock_hz)), board.clock_hz);
 }
 
 /// Of a board alone: what it computes, and its words one after the other.

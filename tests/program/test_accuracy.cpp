@@ -246,8 +246,11 @@ TEST_CASE("An unwritable directory, and a machine that does not work, leave noth
   const ScratchDirectory scratch;
   const std::string file = scratch.file("occupied", "a file");
   CHECK(run_maquette(command_of(scratch, "--outdir " + file + "/out")).exit_code == 2);
-  const Outcome outcome =
-      accuracy(scratch, "--ladder bus --set \"frame_memory.access_time=30 us\"", "out");
+  const Outcome outcome = accuracy(
+      scratch,
+      "--ladder bus --set 'frame_memory.width=600 pixels' --set 'frame_memory.height=400 pixels' "
+      "--set 'bus.clock=1 kHz' --set 'bus.arbitration_clocks=100000 clocks'",
+      "out");
   INFO(outcome.errors);
   CHECK(outcome.exit_code == 2);
   CHECK(outcome.errors.find("level bus, signal") != std::string::npos);

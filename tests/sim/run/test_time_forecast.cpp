@@ -26,17 +26,17 @@ RecordedFrame frame_with(std::size_t costly, std::uint32_t branches) {
   frame.pixels.resize(static_cast<std::size_t>(k_zone.pixels()));
   for (models::SynthesizedPixel& pixel : frame.pixels) {
     pixel.work = {};
-    pixel.work[firmware::Operation::branch] = 1;
+    pixel.work[firmware::Operation::node] = 1;
   }
-  frame.pixels[costly].work[firmware::Operation::branch] = branches;
+  frame.pixels[costly].work[firmware::Operation::node] = branches;
   return frame;
 }
 
 TEST_CASE("the board that would compute for too long is named, with how long") {
   Machine machine = described({"board.clock=1 kHz"}).machine;
   machine.parameters.board.arithmetic.operations = {};
-  constexpr auto k_branch = static_cast<std::size_t>(firmware::Operation::branch);
-  machine.parameters.board.arithmetic.operations[k_branch].clocks = 1000;
+  constexpr auto k_node = static_cast<std::size_t>(firmware::Operation::node);
+  machine.parameters.board.arithmetic.operations[k_node].clocks = 1000;
   CHECK_NOTHROW(require_computing_time(machine, frame_with(6, 8'639'000)));
   CHECK_THROWS_WITH(require_computing_time(machine, frame_with(6, 8'640'000)),
                     ContainsSubstring("board2 would compute for at least 100 days"));
