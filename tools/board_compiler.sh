@@ -68,6 +68,7 @@ name_of='
 function name_of(signature) {
   gsub(/\(glm::qualifier\)/, "", signature)
   sub(/ \[(with|clone) .*/, "", signature)
+  sub(/(\(anonymous namespace\)|\{anonymous\})::/, "", signature)
   while (gsub(/<[^<>]*>/, "", signature)) {}
   sub(/\(.*/, "", signature)
   sub(/.* /, "", signature)
