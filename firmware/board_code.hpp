@@ -11,7 +11,7 @@
 namespace maquette::firmware {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_board_code_version = "86a2323a8a3df93b7bab3c2c6b81e59043595940";
+inline constexpr const char* k_board_code_version = "18914850ae98a3bb90798d27b9490f8f533d7f5a";
 
 /// A function or a table: its words, the long words in them that are addresses, and what a function
 /// in C++ puts on the stack, without its return address.

@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string_view>
 #include <vector>
 
-#include "firmware/board_code.hpp"
+#include "sim/database/board_code.hpp"
 
 namespace maquette::sim {
 
@@ -17,13 +16,11 @@ struct LinkedProgram {
   std::vector<std::uint32_t> addresses;  ///< of each piece; 0 of one that is left out
 };
 
-/// Links the pieces for which `is_needed` holds, from an even address on. Who calls a piece that is
-/// left out stops at an odd address.
-LinkedProgram linked_program(std::uint32_t base,
-                             const std::function<bool(const firmware::CodePiece&)>& is_needed);
+/// Links pieces, from an even address on. Who calls a piece that is left out stops at an odd
+/// address.
+LinkedProgram linked_program(std::uint32_t base, const PieceBytes& pieces);
 
-/// Where a function of the linked program begins. Throws std::out_of_range when it has none of this
-/// name.
+/// Where a function of the linked program begins; 0 when it is left out.
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name);
 
 }  // namespace maquette::sim

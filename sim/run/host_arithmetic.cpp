@@ -89,7 +89,7 @@ void add_package(std::uint32_t package, NativeCalls& routines, firmware::Work& w
   });
 }
 
-/// Where the firmware's elementary functions are in a board's RAM.
+/// Where the firmware's elementary functions are in a board's RAM; 0 where a scene does without.
 struct ElementaryAddresses {
   std::uint32_t exponential;
   std::uint32_t power;
@@ -117,15 +117,21 @@ auto compiled(Operation operation, firmware::Work& work, Compute compute) {
 }
 
 void add_elementary(const ElementaryAddresses& at, NativeCalls& routines, firmware::Work& work) {
-  routines.add(at.exponential, compiled(Operation::exponential, work, [](const auto& argument) {
-                 return firmware::exponential(argument(1));
-               }));
-  routines.add(at.power, compiled(Operation::power, work, [](const auto& argument) {
-                 return firmware::power(argument(1), argument(2));
-               }));
-  routines.add(at.arc_cosine, compiled(Operation::arc_cosine, work, [](const auto& argument) {
-                 return firmware::arc_cosine(argument(1));
-               }));
+  if (at.exponential != 0) {
+    routines.add(at.exponential, compiled(Operation::exponential, work, [](const auto& argument) {
+                   return firmware::exponential(argument(1));
+                 }));
+  }
+  if (at.power != 0) {
+    routines.add(at.power, compiled(Operation::power, work, [](const auto& argument) {
+                   return firmware::power(argument(1), argument(2));
+                 }));
+  }
+  if (at.arc_cosine != 0) {
+    routines.add(at.arc_cosine, compiled(Operation::arc_cosine, work, [](const auto& argument) {
+                   return firmware::arc_cosine(argument(1));
+                 }));
+  }
 }
 
 }  // namespace

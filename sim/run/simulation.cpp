@@ -11,7 +11,6 @@
 #include "models/display/video_reader.hpp"
 #include "models/machine/ccett_machine.hpp"
 #include "models/machine/unique_names.hpp"
-#include "sim/database/database_image.hpp"
 #include "sim/database/memory_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
@@ -27,19 +26,6 @@ namespace {
 
 /// Between two looks at the host: progress, interruption.
 constexpr models::Duration k_slice = std::chrono::seconds(1);
-
-/// Gives the host what it writes: the database into every board or where they share it, and code of
-/// the right size. The code's bytes stay zero, because the native firmware runs in its place.
-void set_images(const PackedScene<float>& packed, const Machine& machine, const MemoryMap& map,
-                models::FrameSetup& setup) {
-  std::vector<unsigned char> image = database_image(packed.database());
-  if (models::is_shared(machine.parameters.board.database)) {
-    setup.shared_database = std::move(image);
-    image = {};
-  }
-  image.resize(static_cast<std::size_t>(map.loaded_bytes));
-  setup.images.assign(machine.parameters.boards.size(), image);
-}
 
 /// Where a run's pixels come from.
 struct Pixels {
@@ -187,14 +173,14 @@ SimulationResult simulate(const Scene& scene, const Machine& machine,
   models::FrameSetup setup;
   setup.useful_zone = pixels.zone;
   setup.background = firmware::rgb_of(packed.header.background);
+  const Machine roomy = with_room(machine, map);
   if (request.executed) {
-    set_programs(packed, with_room(machine, map), request.threads, setup);
+    set_programs(packed, roomy, request.threads, setup);
   } else {
-    set_images(packed, machine, map, setup);
+    set_images(packed, roomy, setup);
   }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   try {
-    const Machine roomy = with_room(machine, map);
     if (!request.calibrated) {
       return simulate_prepared(roomy, request, *pixels.source, setup, go_on);
     }

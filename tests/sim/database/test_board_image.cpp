@@ -1,10 +1,12 @@
 #include "sim/database/board_image.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <string>
 
 #include "models/board/mc68000/mc68000.hpp"
+#include "sim/database/board_stack.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/scene/description_loader.hpp"
 #include "tests/catch.hpp"
@@ -15,6 +17,7 @@ using namespace maquette::models::mc68000;
 namespace {
 
 constexpr std::uint32_t k_frame_base = 0x800000;
+constexpr std::int32_t k_stack_bytes = 16384;
 
 /// A frame memory that remembers what was written, in words.
 class WrittenWords final : public ExternalBus {
@@ -62,6 +65,19 @@ firmware::BoardOrder whole_frame(int width) {
   return order;
 }
 
+constexpr unsigned char k_untouched = 0xA5;
+
+/// Paints the stack, so that it can be told how far down the program goes.
+void paint_stack(sim::BoardImage& image) {
+  std::fill(image.ram.end() - k_stack_bytes, image.ram.begin() + image.stack, k_untouched);
+}
+
+std::int64_t used_stack(const sim::BoardImage& image) {
+  const auto lowest = std::find_if(image.ram.end() - k_stack_bytes, image.ram.end(),
+                                   [](unsigned char byte) { return byte != k_untouched; });
+  return image.ram.begin() + image.stack - lowest;
+}
+
 Stop run(sim::BoardImage& image, ExternalBus& bus) {
   Mc68000 processor({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())}, bus);
   processor.registers().program_counter = address_of(image.program, "board_program");
@@ -76,11 +92,16 @@ void compare_with_firmware(const std::string& scene) {
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   sim::BoardImage image = sim::board_image(prepared.frame(), area.view(), whole_frame(format.width),
-                                           {1U << 20U, 0x800, 1024, 32, 0, 16384});
+                                           {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, 0});
+  paint_stack(image);
   WrittenWords memory;
   const Stop stop = run(image, memory);
   INFO(name_of(stop.reason) << " at " << stop.instruction_address);
   REQUIRE(stop.reason == StopReason::stop_instruction);
+  CHECK(used_stack(image) > 0);
+  CHECK(used_stack(image) <=
+        sim::board_stack_bytes(sim::needed_pieces(prepared.frame().database.needs),
+                               prepared.packed().tree_height));
 
   const firmware::Rectangle& zone = prepared.frame().prepared.useful_zone;
   std::int64_t pixels = 0;
@@ -98,7 +119,7 @@ void compare_with_firmware(const std::string& scene) {
   CHECK(memory.writes() == 2 * pixels);
 }
 
-TEST_CASE("the program of a board has the firmware's pixels, bit for bit, in every scene") {
+TEST_CASE("the program of a board has the firmware's pixels, bit for bit, on the stack as told") {
   const std::filesystem::path scenes = std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes";
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() == ".yaml") {
@@ -117,7 +138,7 @@ TEST_CASE("what does not fit into a board's RAM is refused") {
   sim::SynthesisArea<float> area(prepared.frame().database);
   const auto image_in = [&](std::uint32_t ram_bytes) {
     return sim::board_image(prepared.frame(), area.view(), whole_frame(format.width),
-                            {ram_bytes, 0x800, 1024, 32, 0, 16384});
+                            {ram_bytes, 0x800, 1024, 32, 0, k_stack_bytes, 0});
   };
   const sim::BoardImage image = image_in(1U << 20U);
   CHECK_THROWS_AS(image_in(image.loaded_end), std::out_of_range);

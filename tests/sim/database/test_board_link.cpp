@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
-#include <stdexcept>
 
+#include "firmware/board_code.hpp"
 #include "tests/catch.hpp"
 
 using namespace maquette;
 
 namespace {
-
-bool always(const firmware::CodePiece& /*piece*/) { return true; }
 
 std::uint32_t long_at(const sim::LinkedProgram& program, std::uint32_t address) {
   std::uint32_t value = 0;
@@ -21,7 +19,7 @@ std::uint32_t long_at(const sim::LinkedProgram& program, std::uint32_t address) 
 }
 
 TEST_CASE("every address in the program of a board is that of what it names") {
-  const sim::LinkedProgram program = sim::linked_program(0x2000, always);
+  const sim::LinkedProgram program = sim::linked_program(0x2000, sim::all_pieces());
   for (std::size_t i = 0; i < std::size(firmware::k_code_pieces); ++i) {
     const firmware::CodePiece& piece = firmware::k_code_pieces[i];
     for (std::uint32_t j = 0; j < piece.addresses; ++j) {
@@ -38,8 +36,8 @@ TEST_CASE("every address in the program of a board is that of what it names") {
 }
 
 TEST_CASE("a program elsewhere differs in its addresses alone") {
-  const sim::LinkedProgram low = sim::linked_program(0x2000, always);
-  const sim::LinkedProgram high = sim::linked_program(0x5000, always);
+  const sim::LinkedProgram low = sim::linked_program(0x2000, sim::all_pieces());
+  const sim::LinkedProgram high = sim::linked_program(0x5000, sim::all_pieces());
   REQUIRE(low.bytes.size() == high.bytes.size());
   std::size_t different = 0;
   for (std::size_t i = 0; i < low.bytes.size(); ++i) {
@@ -51,16 +49,17 @@ TEST_CASE("a program elsewhere differs in its addresses alone") {
 
 TEST_CASE("what is left out takes no room, and who calls it comes to an odd address") {
   const std::string_view left_out = "follow";
-  const auto is_needed = [left_out](const firmware::CodePiece& piece) {
-    return piece.name != left_out;
-  };
-  const sim::LinkedProgram all = sim::linked_program(0x2000, always);
-  const sim::LinkedProgram part = sim::linked_program(0x2000, is_needed);
-  const auto* const piece = std::find_if_not(std::begin(firmware::k_code_pieces),
-                                             std::end(firmware::k_code_pieces), is_needed);
+  const sim::LinkedProgram all = sim::linked_program(0x2000, sim::all_pieces());
+  const auto* const piece =
+      std::find_if(std::begin(firmware::k_code_pieces), std::end(firmware::k_code_pieces),
+                   [left_out](const auto& candidate) { return candidate.name == left_out; });
   REQUIRE(piece != std::end(firmware::k_code_pieces));
+  sim::PieceBytes pieces = sim::all_pieces();
+  pieces[static_cast<std::size_t>(piece - std::begin(firmware::k_code_pieces))] = 0;
+  const sim::LinkedProgram part = sim::linked_program(0x2000, pieces);
   CHECK(all.bytes.size() - part.bytes.size() == 2 * piece->words);
-  CHECK_THROWS_AS(address_of(part, left_out), std::out_of_range);
+  CHECK(address_of(all, left_out) != 0);
+  CHECK(address_of(part, left_out) == 0);
   int calls = 0;
   for (std::size_t i = 0; i < std::size(firmware::k_code_pieces); ++i) {
     const firmware::CodePiece& caller = firmware::k_code_pieces[i];
@@ -74,6 +73,26 @@ TEST_CASE("what is left out takes no room, and who calls it comes to an odd addr
     }
   }
   CHECK(calls > 0);
+}
+
+TEST_CASE("of a piece that is there in part, only that part is linked") {
+  const auto* const table = std::find_if(
+      std::begin(firmware::k_code_pieces), std::end(firmware::k_code_pieces),
+      [](const auto& piece) { return std::string_view{"k_primitives"} == piece.name; });
+  REQUIRE(table != std::end(firmware::k_code_pieces));
+  sim::PieceBytes pieces = sim::all_pieces();
+  const auto number = static_cast<std::size_t>(table - std::begin(firmware::k_code_pieces));
+  const sim::LinkedProgram all = sim::linked_program(0x2000, pieces);
+  pieces[number] = 50;
+  const sim::LinkedProgram part = sim::linked_program(0x2000, pieces);
+  CHECK(all.bytes.size() - part.bytes.size() == 2 * table->words - 50);
+  for (std::uint32_t offset = 0; offset < 48; offset += 4) {
+    CHECK(long_at(all, all.addresses[number] + offset) ==
+          long_at(part, part.addresses[number] + offset));
+  }
+  CHECK(std::equal(std::begin(firmware::maquette_ffp::k_package),
+                   std::end(firmware::maquette_ffp::k_package),
+                   part.bytes.begin() + (part.package - part.base)));
 }
 
 }  // namespace
