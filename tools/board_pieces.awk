@@ -1,6 +1,7 @@
 # Reads what readelf and objdump say of a relocatable object for the 68000 (readelf -SW, readelf -sW,
 # readelf -rW, objdump -s, in this order, each after a line "# KIND") and prints its sections with
-# contents as pieces of a board's program: words, and the long words that hold addresses.
+# contents as pieces of a board's program: words, and the long words that hold addresses. The routines
+# arithmetic_NAME that none of them is are those of the arithmetic package, whose namespace `package` is.
 
 BEGIN { pieces = 0 }
 
@@ -95,9 +96,12 @@ END {
       } else if (symbol in number_of) {
         home = number_of[symbol]
         addend = value_of(part[3])
-      } else {
-        printf "address\t%d\tk_package\tmaquette_ffp::k_%s_entry\n", value_of(part[1]), substr(symbol, 5)
+      } else if (sub(/^arithmetic_/, "", symbol)) {
+        printf "address\t%d\tk_package\t%s::k_%s_entry\n", value_of(part[1]), package, symbol
         continue
+      } else {
+        print "nothing has the name " symbol > "/dev/stderr"
+        exit 1
       }
       printf "address\t%d\t%d\t%d\n", value_of(part[1]), piece[home], addend
     }

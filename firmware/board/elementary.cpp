@@ -1,11 +1,15 @@
-#include "firmware/board/ffp.hpp"
+#include "firmware/board/elementary.hpp"
+
+#include "firmware/arithmetic/elementary.hpp"
 
 namespace maquette::firmware {
 
-Ffp exponential(Ffp x) { return exponential<Ffp>(x); }
+BoardNumber exponential(BoardNumber x) { return exponential<BoardNumber>(x); }
 
-Ffp power(Ffp base, Ffp exponent) { return power<Ffp>(base, exponent); }
+BoardNumber power(BoardNumber base, BoardNumber exponent) {
+  return power<BoardNumber>(base, exponent);
+}
 
-Ffp arc_cosine(Ffp cosine) { return arc_cosine<Ffp>(cosine); }
+BoardNumber arc_cosine(BoardNumber cosine) { return arc_cosine<BoardNumber>(cosine); }
 
 }  // namespace maquette::firmware

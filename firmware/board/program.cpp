@@ -1,5 +1,5 @@
 #include "firmware/board/claim.hpp"
-#include "firmware/board/ffp.hpp"
+#include "firmware/board/elementary.hpp"
 #include "firmware/board/pixel_output.hpp"
 #include "firmware/board/units.hpp"
 #include "firmware/layout.hpp"
@@ -9,20 +9,20 @@
 /// the 68000, and the loop over the pixels of its share.
 namespace maquette::firmware {
 
-static_assert(sizeof(BoardTask<Ffp>) == board_bytes<BoardTask<float>>());
-static_assert(sizeof(Leaf<Ffp>) == board_bytes<Leaf<float>>());
+static_assert(sizeof(BoardTask<BoardNumber>) == board_bytes<BoardTask<float>>());
+static_assert(sizeof(Leaf<BoardNumber>) == board_bytes<Leaf<float>>());
 static_assert(sizeof(Composite) == board_bytes<Composite>());
-static_assert(sizeof(Surface<Ffp>) == board_bytes<Surface<float>>());
-static_assert(sizeof(Light<Ffp>) == board_bytes<Light<float>>());
-static_assert(sizeof(PreparedLeaf<Ffp>) == board_bytes<PreparedLeaf<float>>());
-static_assert(sizeof(Extent<Ffp>) == board_bytes<Extent<float>>());
-static_assert(sizeof(PreparedSurface<Ffp>) == board_bytes<PreparedSurface<float>>());
-static_assert(sizeof(Crossing<Ffp>) == board_bytes<Crossing<float>>());
-static_assert(sizeof(PendingRay<Ffp>) == board_bytes<PendingRay<float>>());
+static_assert(sizeof(Surface<BoardNumber>) == board_bytes<Surface<float>>());
+static_assert(sizeof(Light<BoardNumber>) == board_bytes<Light<float>>());
+static_assert(sizeof(PreparedLeaf<BoardNumber>) == board_bytes<PreparedLeaf<float>>());
+static_assert(sizeof(Extent<BoardNumber>) == board_bytes<Extent<float>>());
+static_assert(sizeof(PreparedSurface<BoardNumber>) == board_bytes<PreparedSurface<float>>());
+static_assert(sizeof(Crossing<BoardNumber>) == board_bytes<Crossing<float>>());
+static_assert(sizeof(PendingRay<BoardNumber>) == board_bytes<PendingRay<float>>());
 
 namespace {
 
-void synthesize_unit(const BoardTask<Ffp>& task, const Rectangle& unit, Line& line) {
+void synthesize_unit(const BoardTask<BoardNumber>& task, const Rectangle& unit, Line& line) {
   for (std::int16_t row = unit.first_row; row < unit.end_row; ++row) {
     if (line.count != 0 && line.row != row) {
       flush(task.order, line);
@@ -36,7 +36,7 @@ void synthesize_unit(const BoardTask<Ffp>& task, const Rectangle& unit, Line& li
 }  // namespace
 
 /// A routine of its own, so that a simulator can tell where preprocessing ends.
-extern "C" [[gnu::noinline]] void board_synthesis(const BoardTask<Ffp>& task) {
+extern "C" [[gnu::noinline]] void board_synthesis(const BoardTask<BoardNumber>& task) {
   const BoardOrder& order = task.order;
   const Rectangle& zone = task.frame.prepared.useful_zone;
   const bool claims = order.lock != 0;
@@ -60,7 +60,7 @@ extern "C" [[gnu::noinline]] void board_synthesis(const BoardTask<Ffp>& task) {
 }
 
 /// Where a board starts, its task on the stack. It stops when its share is done.
-extern "C" void board_program(BoardTask<Ffp>& task) {
+extern "C" void board_program(BoardTask<BoardNumber>& task) {
   preprocess(task.frame.database, task.frame.prepared);
   board_synthesis(task);
   __asm__ volatile("stop #0x2700");

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
+#include "firmware/arithmetic/number_format.hpp"
 #include "firmware/arithmetic/work.hpp"
 
 namespace maquette::models {
@@ -17,8 +19,8 @@ struct OperationCost {
 };
 
 /// How boards that execute their program do arithmetic with a table's package: none of them can (it
-/// is not of FFP numbers on an MC68000), the host does it and each call costs what the table says,
-/// or the package itself is executed (it is the project's own).
+/// is no package of routines on an MC68000), the host does it and each call costs what the table
+/// says, or the package itself is executed (it is the project's own, of FFP numbers).
 enum class ArithmeticExecution { none, costs, package };
 
 /// One table of models/arithmetic/: the cost of every operation class, and which of them are calls
@@ -28,6 +30,12 @@ struct ArithmeticCosts {
   std::array<bool, firmware::k_operation_count> called{};
   std::int64_t package_bytes = 0;  ///< code of the package in a board's RAM
   ArithmeticExecution execution = ArithmeticExecution::none;
+  std::optional<firmware::NumberFormat> numbers;  ///< of the boards' program; FFP without
 };
+
+/// The format of the numbers that boards which execute their program have in it.
+inline firmware::NumberFormat numbers_of(const ArithmeticCosts& costs) {
+  return costs.numbers.value_or(firmware::NumberFormat::ffp);
+}
 
 }  // namespace maquette::models

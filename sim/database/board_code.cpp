@@ -1,10 +1,10 @@
 #include "sim/database/board_code.hpp"
 
-#include <iterator>
 #include <numeric>
 #include <string_view>
 
-#include "firmware/board_code.hpp"
+#include "firmware/board_code_ffp.hpp"
+#include "firmware/board_code_ieee_single.hpp"
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/board_call.hpp"
@@ -76,77 +76,73 @@ constexpr std::uint32_t bytes_of(const CodePiece& piece) { return 2 * piece.word
 
 constexpr CodeName k_table = "k_primitives";
 
-constexpr std::uint32_t table_row_bytes() {
-  for (const CodePiece& piece : firmware::k_code_pieces) {
-    if (k_table.name == piece.name) {
-      return bytes_of(piece) / firmware::k_primitive_kind_count;
-    }
-  }
-  return 0;
-}
-
-constexpr std::uint32_t k_row_bytes = table_row_bytes();
-
-/// Follows the addresses in the program.
+/// Follows the addresses in a program.
 class Reach {
  public:
-  explicit Reach(const Needs& needs) : needs_(needs), pieces_(std::size(firmware::k_code_pieces)) {}
+  Reach(const firmware::ProgramCode& code, const Needs& needs)
+      : needs_(needs), pieces_{&code, std::vector<std::uint32_t>(code.pieces.size())} {}
 
   void add(std::uint32_t number) {
-    const CodePiece& piece = firmware::k_code_pieces[number];
-    if (pieces_[number] != 0 || !is_open(piece.name, needs_)) {
+    const CodePiece& piece = pieces_.code->pieces[number];
+    if (pieces_.bytes[number] != 0 || !is_open(piece.name, needs_)) {
       return;
     }
     const bool is_table = k_table.name == piece.name;
-    pieces_[number] = is_table ? needed_table_bytes() : bytes_of(piece);
+    const std::uint32_t row_bytes = bytes_of(piece) / firmware::k_primitive_kind_count;
+    pieces_.bytes[number] = is_table ? row_bytes * needed_rows() : bytes_of(piece);
     for (std::uint32_t i = 0; i < piece.addresses; ++i) {
-      const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + i];
-      const bool is_needed = !is_table || needs_.primitives[address.offset / k_row_bytes];
+      const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
+      const bool is_needed = !is_table || needs_.primitives[address.offset / row_bytes];
       if (address.piece != firmware::k_package && is_needed) {
         add(address.piece);
       }
     }
   }
 
-  [[nodiscard]] const PieceBytes& pieces() const { return pieces_; }
+  [[nodiscard]] const BoardPieces& pieces() const { return pieces_; }
 
  private:
-  [[nodiscard]] std::uint32_t needed_table_bytes() const {
+  [[nodiscard]] std::uint32_t needed_rows() const {
     std::uint32_t rows = 0;
     for (std::uint32_t kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
       rows = needs_.primitives[kind] ? kind + 1 : rows;
     }
-    return rows * k_row_bytes;
+    return rows;
   }
 
   const Needs& needs_;
-  PieceBytes pieces_;
+  BoardPieces pieces_;
 };
 
 constexpr CodeName k_beginning = "board_program";
 
 }  // namespace
 
-PieceBytes all_pieces() {
-  PieceBytes pieces;
-  for (const CodePiece& piece : firmware::k_code_pieces) {
-    pieces.push_back(bytes_of(piece));
+const firmware::ProgramCode& program_code(firmware::NumberFormat numbers) {
+  return numbers == firmware::NumberFormat::ffp ? firmware::board_code_ffp::k_program
+                                                : firmware::board_code_ieee_single::k_program;
+}
+
+BoardPieces all_pieces(const firmware::ProgramCode& code) {
+  BoardPieces pieces{&code, {}};
+  for (const CodePiece& piece : code.pieces) {
+    pieces.bytes.push_back(bytes_of(piece));
   }
   return pieces;
 }
 
-PieceBytes needed_pieces(const Needs& needs) {
-  Reach reach(needs);
-  for (std::uint32_t number = 0; number < std::size(firmware::k_code_pieces); ++number) {
-    if (k_beginning.name == firmware::k_code_pieces[number].name) {
+BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs) {
+  Reach reach(code, needs);
+  for (std::uint32_t number = 0; number < code.pieces.size(); ++number) {
+    if (k_beginning.name == code.pieces[number].name) {
       reach.add(number);
     }
   }
   return reach.pieces();
 }
 
-std::int64_t code_bytes(const PieceBytes& pieces) {
-  return std::accumulate(pieces.begin(), pieces.end(), std::int64_t{0});
+std::int64_t code_bytes(const BoardPieces& pieces) {
+  return std::accumulate(pieces.bytes.begin(), pieces.bytes.end(), std::int64_t{0});
 }
 
 }  // namespace maquette::sim

@@ -50,9 +50,10 @@ std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram,
 
 }  // namespace
 
-BoardImage board_image(const firmware::Frame<float>& frame, const firmware::WorkArea<float>& area,
-                       const firmware::BoardOrder& order, const BoardRoom& room) {
-  const PieceBytes pieces = needed_pieces(frame.database.needs);
+BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+                       const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
+                       const BoardRoom& room) {
+  const BoardPieces pieces = needed_pieces(program_code(numbers), frame.database.needs);
   firmware::BoardTask<float> task{frame, area, order};
   const RamLayout layout = ram_layout(task, pieces, room);
   if (!layout.fits(room)) {
@@ -65,7 +66,7 @@ BoardImage board_image(const firmware::Frame<float>& frame, const firmware::Work
   image.ram.resize(room.ram_bytes);
   std::copy(image.program.bytes.begin(), image.program.bytes.end(),
             image.ram.begin() + image.program.base);
-  BoardWriter writer(image.ram, NumberFormat::ffp);
+  BoardWriter writer(image.ram, numbers);
   tell_places(layout, writer);
   if (room.shared_database) {
     tell_arrays(frame.database, *room.shared_database, writer);
@@ -80,14 +81,14 @@ BoardImage board_image(const firmware::Frame<float>& frame, const firmware::Work
 }
 
 std::vector<unsigned char> database_image(const firmware::Database<float>& database,
-                                          NumberFormat format) {
+                                          firmware::NumberFormat numbers) {
   std::vector<unsigned char> bytes;
   for_each_array(database, [&bytes](const auto* first, std::size_t count) {
     using Structure = std::decay_t<decltype(*first)>;
     bytes.resize(bytes.size() +
                  count * static_cast<std::size_t>(firmware::board_bytes<Structure>()));
   });
-  BoardWriter writer(bytes, format);
+  BoardWriter writer(bytes, numbers);
   tell_arrays(database, 0, writer);
   write_arrays(database, writer);
   return bytes;

@@ -19,14 +19,15 @@ struct BoardImage {
   std::uint32_t stack;       ///< what the stack pointer is at the start: the task is the argument
 };
 
-/// Writes program, database and task into a board's RAM as ram_layout places them, numbers in the
-/// FFP format. Of the order the line is filled in. Throws std::out_of_range when they do not fit
+/// Writes program, database and task into a board's RAM as ram_layout places them, with numbers of
+/// the format. Of the order the line is filled in. Throws std::out_of_range when they do not fit
 /// with all else that has its place.
-BoardImage board_image(const firmware::Frame<float>& frame, const firmware::WorkArea<float>& area,
-                       const firmware::BoardOrder& order, const BoardRoom& room);
+BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+                       const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
+                       const BoardRoom& room);
 
 /// The arrays of a scene as memory holds them, one behind the other.
 std::vector<unsigned char> database_image(const firmware::Database<float>& database,
-                                          NumberFormat format);
+                                          firmware::NumberFormat numbers);
 
 }  // namespace maquette::sim

@@ -1,9 +1,5 @@
 #include "sim/database/board_link.hpp"
 
-#include <iterator>
-
-#include "firmware/board_code.hpp"
-
 namespace maquette::sim {
 
 namespace {
@@ -24,16 +20,17 @@ void put_long(unsigned char* place, std::uint32_t value) {
   put_word(place + k_word_bytes, value);
 }
 
-void copy_words(const firmware::CodePiece& piece, std::uint32_t bytes, unsigned char* place) {
+void copy_words(const firmware::ProgramCode& code, const firmware::CodePiece& piece,
+                std::uint32_t bytes, unsigned char* place) {
   for (std::uint32_t i = 0; i < bytes / k_word_bytes; ++i) {
-    put_word(place + k_word_bytes * i, firmware::k_code_words[piece.first_word + i]);
+    put_word(place + k_word_bytes * i, code.words[piece.first_word + i]);
   }
 }
 
 void resolve_addresses(const firmware::CodePiece& piece, std::uint32_t bytes,
                        const LinkedProgram& program, unsigned char* place) {
   for (std::uint32_t i = 0; i < piece.addresses; ++i) {
-    const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + i];
+    const firmware::CodeAddress& address = program.code->addresses[piece.first_address + i];
     const std::uint32_t target =
         address.piece == firmware::k_package ? program.package : program.addresses[address.piece];
     if (address.offset + k_long_bytes <= bytes) {
@@ -44,22 +41,22 @@ void resolve_addresses(const firmware::CodePiece& piece, std::uint32_t bytes,
 
 }  // namespace
 
-LinkedProgram linked_program(std::uint32_t base, const PieceBytes& pieces) {
-  LinkedProgram program{base, 0, {}, {}};
+LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
+  const firmware::ProgramCode& code = *pieces.code;
+  LinkedProgram program{&code, base, 0, {}, {}};
   std::uint32_t end = base;
-  for (const std::uint32_t bytes : pieces) {
+  for (const std::uint32_t bytes : pieces.bytes) {
     program.addresses.push_back(bytes == 0 ? 0 : end);
     end += bytes;
   }
   program.package = end;
   program.bytes.resize(end - base);
-  program.bytes.insert(program.bytes.end(), std::begin(firmware::maquette_ffp::k_package),
-                       std::end(firmware::maquette_ffp::k_package));
+  program.bytes.insert(program.bytes.end(), code.package.bytes.begin(), code.package.bytes.end());
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
     if (program.addresses[i] != 0) {
       unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
-      copy_words(firmware::k_code_pieces[i], pieces[i], place);
-      resolve_addresses(firmware::k_code_pieces[i], pieces[i], program, place);
+      copy_words(code, code.pieces[i], pieces.bytes[i], place);
+      resolve_addresses(code.pieces[i], pieces.bytes[i], program, place);
     }
   }
   return program;
@@ -67,7 +64,7 @@ LinkedProgram linked_program(std::uint32_t base, const PieceBytes& pieces) {
 
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
-    if (firmware::k_code_pieces[i].name == name && program.addresses[i] != 0) {
+    if (program.code->pieces[i].name == name && program.addresses[i] != 0) {
       return program.addresses[i];
     }
   }

@@ -10,15 +10,16 @@ namespace maquette::sim {
 
 /// The program of a board, linked for a scene: the pieces that it needs, one behind the other.
 struct LinkedProgram {
+  const firmware::ProgramCode* code;
   std::uint32_t base;
   std::uint32_t package;  ///< address of the arithmetic package, which is behind the pieces
   std::vector<unsigned char> bytes;
   std::vector<std::uint32_t> addresses;  ///< of each piece; 0 of one that is left out
 };
 
-/// Links pieces, from an even address on. Who calls a piece that is left out stops at an odd
-/// address.
-LinkedProgram linked_program(std::uint32_t base, const PieceBytes& pieces);
+/// Links pieces of a program, from an even address on. Who calls a piece that is left out stops at
+/// an odd address.
+LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces);
 
 /// Where a function of the linked program begins; 0 when it is left out.
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name);

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "firmware/board_code.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
@@ -43,18 +42,18 @@ std::int64_t frame_bytes(const firmware::CodePiece& piece) {
 /// The deepest chain of calls from each piece on; of the walkers of the tree on one level.
 class CallDepth {
  public:
-  explicit CallDepth(const PieceBytes& pieces) : pieces_(pieces) {}
+  explicit CallDepth(const BoardPieces& pieces) : pieces_(pieces) {}
 
   std::int64_t from(std::uint32_t number) {
     const auto [known, is_new] = depths_.emplace(number, k_in_question);
     if (!is_new) {
       return settled(number, known->second);
     }
-    const firmware::CodePiece& piece = firmware::k_code_pieces[number];
+    const firmware::CodePiece& piece = pieces_.code->pieces[number];
     std::int64_t below = k_routine_bytes;
     bool calls_itself = false;
     for (std::uint32_t i = 0; i < piece.addresses; ++i) {
-      const firmware::CodeAddress& address = firmware::k_code_addresses[piece.first_address + i];
+      const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
       calls_itself = calls_itself || address.piece == number;
       if (address.piece != number && is_linked(address)) {
         below = std::max(below, from(address.piece));
@@ -67,13 +66,13 @@ class CallDepth {
   static constexpr std::int64_t k_in_question = -1;
 
   [[nodiscard]] bool is_linked(const firmware::CodeAddress& address) const {
-    return address.piece != firmware::k_package && pieces_[address.piece] != 0;
+    return address.piece != firmware::k_package && pieces_.bytes[address.piece] != 0;
   }
 
-  static std::int64_t settled(std::uint32_t number, std::int64_t depth) {
+  [[nodiscard]] std::int64_t settled(std::uint32_t number, std::int64_t depth) const {
     if (depth == k_in_question) {
       throw std::logic_error("functions of the board's program call each other in a circle: " +
-                             std::string(firmware::k_code_pieces[number].name));
+                             std::string(pieces_.code->pieces[number].name));
     }
     return depth;
   }
@@ -87,19 +86,19 @@ class CallDepth {
     return depth;
   }
 
-  const PieceBytes& pieces_;
+  const BoardPieces& pieces_;
   std::map<std::uint32_t, std::int64_t> depths_;
 };
 
 }  // namespace
 
-std::int64_t board_stack_bytes(const PieceBytes& pieces, int tree_height) {
+std::int64_t board_stack_bytes(const BoardPieces& pieces, int tree_height) {
   CallDepth depth(pieces);
   std::int64_t deepest = 0;
   std::int64_t level = 0;
-  for (std::uint32_t number = 0; number < pieces.size(); ++number) {
-    const firmware::CodePiece& piece = firmware::k_code_pieces[number];
-    if (pieces[number] != 0) {
+  for (std::uint32_t number = 0; number < pieces.bytes.size(); ++number) {
+    const firmware::CodePiece& piece = pieces.code->pieces[number];
+    if (pieces.bytes[number] != 0) {
       deepest = std::max(deepest, depth.from(number));
       level = is_tree_walker(piece.name) ? std::max(level, frame_bytes(piece)) : level;
     }

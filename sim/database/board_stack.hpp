@@ -11,6 +11,6 @@ namespace maquette::sim {
 /// itself stands there as often as the primitive that it belongs to says; those that walk the
 /// object tree, as often as the tree has levels. `tree_height` counts composites on the longest way
 /// down. Assumption: routines in assembler take at most 16 bytes.
-[[nodiscard]] std::int64_t board_stack_bytes(const PieceBytes& pieces, int tree_height);
+[[nodiscard]] std::int64_t board_stack_bytes(const BoardPieces& pieces, int tree_height);
 
 }  // namespace maquette::sim

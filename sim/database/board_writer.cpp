@@ -1,22 +1,6 @@
 #include "sim/database/board_writer.hpp"
 
-#include <cstring>
-
-#include "firmware/arithmetic/maquette_ffp/format.hpp"
-
 namespace maquette::sim {
-
-std::uint32_t number_bits(NumberFormat format, float value) {
-  switch (format) {
-    case NumberFormat::ffp:
-      return firmware::maquette_ffp::to_ffp(value);
-    case NumberFormat::ieee_single:
-      break;
-  }
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
 
 void BoardWriter::align(std::int64_t alignment) {
   if (alignment > 1) {

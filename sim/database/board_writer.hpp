@@ -4,15 +4,10 @@
 #include <map>
 #include <vector>
 
+#include "firmware/arithmetic/number_format.hpp"
 #include "firmware/layout.hpp"
 
 namespace maquette::sim {
-
-/// How a board's program holds the numbers of a scene.
-enum class NumberFormat { ffp, ieee_single };
-
-/// The bits of a number in a format.
-std::uint32_t number_bits(NumberFormat format, float value);
 
 /// Writes structures of the firmware into a board's RAM as the board's program reads them:
 /// big-endian, laid out as firmware::BoardLayout tells. Pointers become the addresses that were
@@ -20,7 +15,8 @@ std::uint32_t number_bits(NumberFormat format, float value);
 class BoardWriter {
  public:
   /// The RAM is kept by reference.
-  BoardWriter(std::vector<unsigned char>& ram, NumberFormat format) : ram_(ram), format_(format) {}
+  BoardWriter(std::vector<unsigned char>& ram, firmware::NumberFormat numbers)
+      : ram_(ram), numbers_(numbers) {}
 
   /// Tells where on the board it is that a pointer of the host points to.
   void tell(const void* pointer, std::uint32_t address) { addresses_[pointer] = address; }
@@ -64,7 +60,7 @@ class BoardWriter {
   }
 
   void operator()(const float& number) {
-    put(number_bits(format_, number), firmware::BoardLayout::k_long_bytes);
+    put(firmware::bits_in(numbers_, number), firmware::BoardLayout::k_long_bytes);
   }
 
   void operator()(const firmware::Vector<float>& vector) {
@@ -84,7 +80,7 @@ class BoardWriter {
   void put(std::uint32_t value, std::size_t bytes);
 
   std::vector<unsigned char>& ram_;
-  NumberFormat format_;
+  firmware::NumberFormat numbers_;
   std::map<const void*, std::uint32_t> addresses_;
   std::uint32_t position_ = 0;
 };

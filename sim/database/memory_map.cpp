@@ -38,7 +38,8 @@ MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_heig
                         const Machine& machine) {
   firmware::BoardTask<float> task{};
   task.frame.database = database;
-  const PieceBytes pieces = needed_pieces(database.needs);
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
+  const BoardPieces pieces = needed_pieces(program_code(numbers), database.needs);
   const RamLayout layout = ram_layout(task, pieces, board_room(machine));
   MemoryMap map;
   map.uses = uses_of(layout);

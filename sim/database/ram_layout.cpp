@@ -1,9 +1,7 @@
 #include "sim/database/ram_layout.hpp"
 
 #include <algorithm>
-#include <iterator>
 
-#include "firmware/arithmetic/maquette_ffp/package.hpp"
 #include "firmware/layout.hpp"
 
 namespace maquette::sim {
@@ -43,15 +41,14 @@ void add_prepared(const firmware::Frame<float>& frame, Stacker& stacker) {
 
 }  // namespace
 
-RamLayout ram_layout(const firmware::BoardTask<float>& task, const PieceBytes& pieces,
+RamLayout ram_layout(const firmware::BoardTask<float>& task, const BoardPieces& pieces,
                      const BoardRoom& room) {
   RamLayout layout{};
   Stacker stacker;
   stacker.add("system", room.system_bytes);
   stacker.add("firmware code", code_bytes(pieces));
-  stacker.add(
-      "arithmetic package",
-      std::max<std::int64_t>(std::size(firmware::maquette_ffp::k_package), room.package_bytes));
+  stacker.add("arithmetic package",
+              std::max<std::int64_t>(pieces.code->package.bytes.size(), room.package_bytes));
   layout.first_loaded_data = stacker.end();
   if (!room.shared_database) {
     for_each_array(task.frame.database, [&stacker](const auto* first, std::size_t count) {

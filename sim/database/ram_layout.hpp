@@ -33,8 +33,8 @@ struct RamLayout {
 
 /// Lays out a board's RAM for a task by firmware/layout.hpp: system, program, the scene's arrays,
 /// the task, what preprocessing makes of them, work area, line of pixels, stack.
-[[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task, const PieceBytes& pieces,
-                                   const BoardRoom& room);
+[[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task,
+                                   const BoardPieces& pieces, const BoardRoom& room);
 
 /// Calls `visit(first, count)` for each array of a scene, in their order in memory.
 template <class Visit>

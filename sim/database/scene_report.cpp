@@ -21,22 +21,22 @@ std::string joined(const std::vector<std::string>& texts) {
 }
 
 /// What is needed, and what is left out with the code that it would add.
-std::string needs_list(const firmware::Needs& needs) {
-  const std::int64_t linked_bytes = code_bytes(needed_pieces(needs));
+std::string needs_list(const firmware::Needs& needs, const firmware::ProgramCode& code) {
+  const std::int64_t linked_bytes = code_bytes(needed_pieces(code, needs));
   std::vector<std::string> needed;
   std::vector<std::string> left_out;
   for (const NamedNeed& need : named_needs(needs)) {
     if (need.is_needed) {
       needed.push_back(need.name);
     } else {
-      const std::int64_t added = code_bytes(needed_pieces(need.with)) - linked_bytes;
+      const std::int64_t added = code_bytes(needed_pieces(code, need.with)) - linked_bytes;
       left_out.push_back(fmt::format("{} ({})", need.name, added));
     }
   }
   return fmt::format(
       "  needed: {}\n  left out: {}; in brackets the bytes of code that each alone would add, all "
       "together save {}\n",
-      joined(needed), joined(left_out), code_bytes(all_pieces()) - linked_bytes);
+      joined(needed), joined(left_out), code_bytes(all_pieces(code)) - linked_bytes);
 }
 
 std::string memory_row(std::int64_t address, std::int64_t bytes, const std::string& text) {
@@ -122,12 +122,13 @@ std::string cost_table(const Machine& machine) {
 std::string scene_report(const Scene& scene, const Machine& machine) {
   const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));
   const firmware::Database<float> database = packed.database();
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   const MemoryMap map = memory_map_of(database, packed.tree_height, machine);
   std::string text = fmt::format("Scene {}\n", scene.name);
   text += fmt::format("  {} primitives, {} composites, {} surfaces, {} lights; a tree {} high\n",
                       database.leaf_count, database.composite_count, database.surface_count,
                       database.light_count, packed.tree_height);
-  text += needs_list(database.needs);
+  text += needs_list(database.needs, program_code(numbers));
   text += "\n" + memory_table(map, machine);
   text += "\nParameters of the scene\n" + parameter_table(list_parameters(scene));
   return text;

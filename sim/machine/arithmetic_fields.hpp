@@ -44,12 +44,17 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
   visitor.field(
       required(
           "execution",
-          "of boards that execute their program: none (it is not FFP on an MC68000), costs (the "
+          "of boards that execute their program: none (it is no package of an MC68000), costs (the "
           "host computes, a call costs what the table says), package (its routines are executed)"),
       costs.execution,
       ChoiceType<models::ArithmeticExecution>{{{"none", models::ArithmeticExecution::none},
                                                {"costs", models::ArithmeticExecution::costs},
                                                {"package", models::ArithmeticExecution::package}}});
+  visitor.field(
+      {"numbers", "format of the numbers in a program that boards execute; ffp without"},
+      costs.numbers,
+      ChoiceType<firmware::NumberFormat>{{{"ffp", firmware::NumberFormat::ffp},
+                                          {"ieee_single", firmware::NumberFormat::ieee_single}}});
   for (std::size_t i = 0; i < costs.operations.size(); ++i) {
     const char* name = firmware::k_operation_names[i];
     visitor.group(required(name, "cost of this operation"), [&, i] {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "firmware/board_code.hpp"
+#include "firmware/board_code_ffp.hpp"
 
 /// Names of functions of a board's program, which are looked up when this program is built: a name
-/// that the board's program has not does not compile.
+/// that the program with FFP numbers has not does not compile.
 namespace maquette::sim {
 
 /// Whether a function stands in a namespace, which is given without colons.
@@ -17,7 +17,7 @@ constexpr bool is_in_namespace(std::string_view function, std::string_view name)
 
 /// Whether the board's program has a function or a table of this name.
 constexpr bool has_code(std::string_view name) {
-  for (const firmware::CodePiece& piece : firmware::k_code_pieces) {
+  for (const firmware::CodePiece& piece : firmware::board_code_ffp::k_pieces) {
     if (name == piece.name) {
       return true;
     }
@@ -27,7 +27,7 @@ constexpr bool has_code(std::string_view name) {
 
 /// Whether the board's program has functions in a namespace.
 constexpr bool has_namespace(std::string_view name) {
-  for (const firmware::CodePiece& piece : firmware::k_code_pieces) {
+  for (const firmware::CodePiece& piece : firmware::board_code_ffp::k_pieces) {
     if (is_in_namespace(piece.name, name)) {
       return true;
     }

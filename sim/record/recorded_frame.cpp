@@ -18,7 +18,7 @@ namespace {
 
 /// A scene as memory holds it; where its arrays are is no matter.
 std::vector<unsigned char> scene_image(const firmware::Database<float>& database) {
-  constexpr NumberFormat k_format = NumberFormat::ieee_single;
+  constexpr auto k_format = firmware::NumberFormat::ieee_single;
   std::vector<unsigned char> image = database_image(database, k_format);
   firmware::Database<float> header = database;
   header.leaves = nullptr;

@@ -26,14 +26,15 @@ void make_images(const PackedScene<float>& packed, const Machine& machine,
                  models::FrameSetup& setup, Take take) {
   const PreparedScene<float> scene(packed);
   SynthesisArea<float> area(scene.frame().database);
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   if (models::is_shared(machine.parameters.board.database)) {
-    setup.shared_database = database_image(scene.frame().database, NumberFormat::ffp);
+    setup.shared_database = database_image(scene.frame().database, numbers);
   }
   const BoardRoom room = board_room(machine, shared_database_address(machine));
   firmware::BoardOrder order = board_order(machine, setup);
   for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
     order.first_unit = static_cast<std::uint32_t>(board);
-    const BoardImage image = board_image(scene.frame(), area.view(), order, room);
+    const BoardImage image = board_image(numbers, scene.frame(), area.view(), order, room);
     setup.image_address = loaded_from(image, machine);
     setup.images.push_back(part(image.ram, setup.image_address, image.loaded_end));
     take(image);

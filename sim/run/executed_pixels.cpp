@@ -96,7 +96,8 @@ void execute_pixels(const Scene& scene, const Machine& machine, int share, const
   const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
   SynthesisArea<float> area(prepared.frame().database);
   const firmware::BoardOrder order = sample_order(machine, useful_zone_of(prepared.frame()), share);
-  BoardImage image = board_image(prepared.frame(), area.view(), order, roomy(machine, order));
+  BoardImage image = board_image(models::numbers_of(machine.parameters.board.arithmetic),
+                                 prepared.frame(), area.view(), order, roomy(machine, order));
   PixelFollower follower(machine, order, take);
   models::ProgramSlots slots(1);
   BoardProgram program({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())},

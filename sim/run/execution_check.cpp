@@ -9,11 +9,17 @@ namespace maquette::sim {
 std::optional<std::string> obstacle_to_execution(const Machine& machine) {
   constexpr int k_word_bits = 16;
   const models::MachineParameters& parameters = machine.parameters;
-  if (parameters.board.arithmetic.execution == models::ArithmeticExecution::none) {
+  const models::ArithmeticCosts& arithmetic = parameters.board.arithmetic;
+  if (arithmetic.execution == models::ArithmeticExecution::none) {
     return fmt::format(
-        "{} is not an arithmetic of FFP numbers on an MC68000; set "
-        "board.arithmetic=motorola_ffp or maquette_ffp",
+        "{} is no package of routines on an MC68000; set "
+        "board.arithmetic=motorola_ffp, maquette_ffp or ieee_single",
         machine.arithmetic_name);
+  }
+  if (arithmetic.execution == models::ArithmeticExecution::package &&
+      models::numbers_of(arithmetic) != firmware::NumberFormat::ffp) {
+    return "there is only a package of FFP numbers to execute; set "
+           "board.arithmetic.execution=costs or board.arithmetic=maquette_ffp";
   }
   if (models::is_shared(parameters.board.database)) {
     return "it reads the scene from the board's own RAM; set board.database=own_copy";

@@ -1,8 +1,7 @@
 #include "sim/run/host_arithmetic.hpp"
 
 #include "firmware/arithmetic/elementary.hpp"
-#include "firmware/arithmetic/maquette_ffp/format.hpp"
-#include "firmware/arithmetic/maquette_ffp/package.hpp"
+#include "firmware/arithmetic/number_format.hpp"
 #include "firmware/arithmetic/real.hpp"
 
 namespace maquette::sim {
@@ -10,8 +9,6 @@ namespace maquette::sim {
 namespace {
 
 using firmware::Operation;
-using firmware::maquette_ffp::from_ffp;
-using firmware::maquette_ffp::to_ffp;
 using models::mc68000::ExecutionUnit;
 using models::mc68000::NativeCalls;
 
@@ -19,20 +16,21 @@ using models::mc68000::NativeCalls;
 constexpr unsigned k_left = 7;
 constexpr unsigned k_right = 6;
 
+template <class Format>
 float number_in(const ExecutionUnit& unit, unsigned data_register) {
-  return from_ffp(unit.registers.data(data_register));
+  return Format::value_of(unit.registers.data(data_register));
 }
 
 /// A routine of two operands; with a zero operand, or a zero result of a product, it is another
 /// operation to the cost tables.
-template <class Compute>
+template <class Format, class Compute>
 auto binary(Operation operation, Operation with_zero, firmware::Work& work, Compute compute) {
   return [operation, with_zero, &work, compute](ExecutionUnit& unit) {
-    const float left = number_in(unit, k_left);
-    const float right = number_in(unit, k_right);
-    const std::uint32_t result = to_ffp(compute(left, right));
+    const float left = number_in<Format>(unit, k_left);
+    const float right = number_in<Format>(unit, k_right);
+    const std::uint32_t result = Format::bits_of(compute(left, right));
     const bool zero = left == 0 || (right == 0 && operation != Operation::divide) ||
-                      (result == 0 && operation == Operation::multiply);
+                      (Format::magnitude(result) == 0 && operation == Operation::multiply);
     ++work[zero ? with_zero : operation];
     unit.registers.data(k_left) = result;
     unit.return_from_subroutine();
@@ -48,45 +46,51 @@ auto unary(Operation operation, firmware::Work& work, Compute compute) {
   };
 }
 
+/// Conditions for branches on signed numbers. What is not a number is neither less nor equal.
+template <class Format>
 void compare(ExecutionUnit& unit) {
   constexpr unsigned k_conditions = 0xF;
   constexpr unsigned k_negative = 0x8;
   constexpr unsigned k_zero = 0x4;
-  const float left = number_in(unit, k_left);
-  const float right = number_in(unit, k_right);
+  const float left = number_in<Format>(unit, k_left);
+  const float right = number_in<Format>(unit, k_right);
   unit.registers.set_status((unit.registers.status() & ~k_conditions) |
                             (left < right ? k_negative : 0U) | (left == right ? k_zero : 0U));
   unit.return_from_subroutine();
 }
 
-void add_package(std::uint32_t package, NativeCalls& routines, firmware::Work& work) {
-  namespace ffp = firmware::maquette_ffp;
-  routines.add(package + ffp::k_add_entry, binary(Operation::add, Operation::add_zero, work,
-                                                  [](float a, float b) { return a + b; }));
-  routines.add(package + ffp::k_subtract_entry,
-               binary(Operation::subtract, Operation::subtract_zero, work,
-                      [](float a, float b) { return a - b; }));
-  routines.add(package + ffp::k_multiply_entry,
-               binary(Operation::multiply, Operation::multiply_zero, work,
-                      [](float a, float b) { return a * b; }));
-  routines.add(package + ffp::k_divide_entry, binary(Operation::divide, Operation::divide_zero,
-                                                     work, [](float a, float b) { return a / b; }));
-  routines.add(package + ffp::k_square_root_entry,
-               unary(Operation::square_root, work, [](std::uint32_t bits) {
-                 return to_ffp(firmware::square_root(from_ffp(bits)));
-               }));
-  routines.add(package + ffp::k_to_integer_entry,
-               unary(Operation::float_to_integer, work, [](std::uint32_t bits) {
-                 return static_cast<std::uint32_t>(firmware::to_integer(from_ffp(bits)));
-               }));
-  routines.add(package + ffp::k_from_integer_entry,
-               unary(Operation::integer_to_float, work, [](std::uint32_t bits) {
-                 return to_ffp(static_cast<float>(static_cast<std::int32_t>(bits)));
-               }));
-  routines.add(package + ffp::k_compare_entry, [&work](ExecutionUnit& unit) {
+template <class Format>
+void add_operators(std::uint32_t at, const firmware::ArithmeticPackage& package,
+                   NativeCalls& routines, firmware::Work& work) {
+  routines.add(at + package.add, binary<Format>(Operation::add, Operation::add_zero, work,
+                                                [](float a, float b) { return a + b; }));
+  routines.add(at + package.subtract, binary<Format>(Operation::subtract, Operation::subtract_zero,
+                                                     work, [](float a, float b) { return a - b; }));
+  routines.add(at + package.multiply, binary<Format>(Operation::multiply, Operation::multiply_zero,
+                                                     work, [](float a, float b) { return a * b; }));
+  routines.add(at + package.divide, binary<Format>(Operation::divide, Operation::divide_zero, work,
+                                                   [](float a, float b) { return a / b; }));
+  routines.add(at + package.compare, [&work](ExecutionUnit& unit) {
     ++work[Operation::compare];
-    compare(unit);
+    compare<Format>(unit);
   });
+}
+
+template <class Format>
+void add_conversions(std::uint32_t at, const firmware::ArithmeticPackage& package,
+                     NativeCalls& routines, firmware::Work& work) {
+  routines.add(at + package.square_root,
+               unary(Operation::square_root, work, [](std::uint32_t bits) {
+                 return Format::bits_of(firmware::square_root(Format::value_of(bits)));
+               }));
+  routines.add(at + package.to_integer,
+               unary(Operation::float_to_integer, work, [](std::uint32_t bits) {
+                 return static_cast<std::uint32_t>(firmware::to_integer(Format::value_of(bits)));
+               }));
+  routines.add(at + package.from_integer,
+               unary(Operation::integer_to_float, work, [](std::uint32_t bits) {
+                 return Format::bits_of(static_cast<float>(static_cast<std::int32_t>(bits)));
+               }));
 }
 
 /// Where the firmware's elementary functions are in a board's RAM; 0 where a scene does without.
@@ -97,51 +101,56 @@ struct ElementaryAddresses {
 };
 
 ElementaryAddresses elementary_addresses(const LinkedProgram& program) {
-  return {address_of(program, "ffp_exponential"), address_of(program, "ffp_power"),
-          address_of(program, "ffp_arc_cosine")};
+  return {address_of(program, "arithmetic_exponential"), address_of(program, "arithmetic_power"),
+          address_of(program, "arithmetic_arc_cosine")};
 }
 
 /// A compiled function: arguments behind the return address on the stack, the result in D0.
-template <class Compute>
+template <class Format, class Compute>
 auto compiled(Operation operation, firmware::Work& work, Compute compute) {
   return [operation, &work, compute](ExecutionUnit& unit) {
     constexpr std::uint32_t k_long_bytes = 4;
     const auto argument = [&unit](std::uint32_t number) {
-      return from_ffp(unit.memory.read<models::mc68000::OperandSize::long_word>(
+      return Format::value_of(unit.memory.read<models::mc68000::OperandSize::long_word>(
           unit.registers.stack() + k_long_bytes * number));
     };
     ++work[operation];
-    unit.registers.data(0) = to_ffp(compute(argument));
+    unit.registers.data(0) = Format::bits_of(compute(argument));
     unit.return_from_subroutine();
   };
 }
 
+template <class Format>
 void add_elementary(const ElementaryAddresses& at, NativeCalls& routines, firmware::Work& work) {
-  if (at.exponential != 0) {
-    routines.add(at.exponential, compiled(Operation::exponential, work, [](const auto& argument) {
-                   return firmware::exponential(argument(1));
-                 }));
-  }
-  if (at.power != 0) {
-    routines.add(at.power, compiled(Operation::power, work, [](const auto& argument) {
-                   return firmware::power(argument(1), argument(2));
-                 }));
-  }
-  if (at.arc_cosine != 0) {
-    routines.add(at.arc_cosine, compiled(Operation::arc_cosine, work, [](const auto& argument) {
-                   return firmware::arc_cosine(argument(1));
-                 }));
-  }
+  const auto add = [&](std::uint32_t address, Operation operation, auto compute) {
+    if (address != 0) {
+      routines.add(address, compiled<Format>(operation, work, compute));
+    }
+  };
+  add(at.exponential, Operation::exponential,
+      [](const auto& argument) { return firmware::exponential(argument(1)); });
+  add(at.power, Operation::power,
+      [](const auto& argument) { return firmware::power(argument(1), argument(2)); });
+  add(at.arc_cosine, Operation::arc_cosine,
+      [](const auto& argument) { return firmware::arc_cosine(argument(1)); });
+}
+
+template <class Format>
+models::HostRoutines routines_of(const LinkedProgram& program) {
+  return [at = program.package, code = program.code, elementary = elementary_addresses(program)](
+             models::mc68000::NativeCalls& routines, firmware::Work& work) {
+    add_operators<Format>(at, code->package, routines, work);
+    add_conversions<Format>(at, code->package, routines, work);
+    add_elementary<Format>(elementary, routines, work);
+  };
 }
 
 }  // namespace
 
 models::HostRoutines host_arithmetic(const LinkedProgram& program) {
-  return [package = program.package, elementary = elementary_addresses(program)](
-             models::mc68000::NativeCalls& routines, firmware::Work& work) {
-    add_package(package, routines, work);
-    add_elementary(elementary, routines, work);
-  };
+  return program.code->numbers == firmware::NumberFormat::ffp
+             ? routines_of<firmware::FfpFormat>(program)
+             : routines_of<firmware::IeeeSingleFormat>(program);
 }
 
 }  // namespace maquette::sim

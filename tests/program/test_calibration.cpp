@@ -28,7 +28,7 @@ TEST_CASE("calibrated counts come within a hundredth of the executed program") {
   for (const std::string scene :
        {"photo1.yaml", "photo3.yaml", "photo4.yaml", "primitives/cone.yaml",
         "primitives/revolution.yaml", "primitives/torus.yaml"}) {
-    for (const std::string arithmetic : {"motorola_ffp", "maquette_ffp"}) {
+    for (const std::string arithmetic : {"motorola_ffp", "maquette_ffp", "ieee_single"}) {
       const double executed = synthesis_time(scratch, scene, "instruction", arithmetic);
       const double calibrated = synthesis_time(scratch, scene, "calibrated", arithmetic);
       INFO(scene << " " << arithmetic << ": " << calibrated << " s for " << executed << " s");

@@ -41,13 +41,14 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
   const ScratchDirectory scratch;
   const std::string picture = content_of(run(scratch, "counted", "") / "frame.png");
   for (const std::string options :
-       {"", "--set board.arithmetic=maquette_ffp", "--set allotment.order=interleaved_lines",
-        "--set allotment.order=bands", "--set allotment.order=tiles",
+       {"", "--set board.arithmetic=maquette_ffp", "--set board.arithmetic=ieee_single",
+        "--set allotment.order=interleaved_lines", "--set allotment.order=bands",
+        "--set allotment.order=tiles",
         "--set allotment.order=tiles --set allotment.assignment=on_demand",
         "--set allotment.assignment=on_demand", "--set board.pixel_write=line",
         "--set processors=1", "--set processors=7", "--set board.release=block",
-        "--set board.pixel_write=line --set allotment.order=tiles",
-        "--set host.loads_code=false"}) {
+        "--set board.pixel_write=line --set allotment.order=tiles", "--set host.loads_code=false",
+        "--machine m68000-12mhz5"}) {
     const auto directory = run(scratch, "executed", "--processor instruction " + options);
     INFO(options);
     CHECK(content_of(directory / "frame.png") == picture);
@@ -98,8 +99,10 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
   };
   CHECK_THAT(refused("--set board.database=shared"), ContainsSubstring("board.database=own_copy"));
   CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
-  CHECK_THAT(refused("--set board.arithmetic=ieee_single"), ContainsSubstring("ieee_single"));
+  CHECK_THAT(refused("--set board.arithmetic=vax_11_750_fpa"), ContainsSubstring("vax_11_750_fpa"));
   CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
+  CHECK_THAT(refused("--set board.arithmetic=ieee_single --set board.arithmetic.execution=package"),
+             ContainsSubstring("board.arithmetic.execution=costs"));
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "firmware/board_code.hpp"
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
@@ -20,21 +19,26 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Names left_out(const sim::PieceBytes& pieces) {
+constexpr firmware::NumberFormat k_formats[] = {firmware::NumberFormat::ffp,
+                                                firmware::NumberFormat::ieee_single};
+
+const firmware::ProgramCode& k_code = sim::program_code(firmware::NumberFormat::ffp);
+
+Names left_out(const sim::BoardPieces& pieces) {
   Names names;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (pieces[i] == 0) {
-      names.emplace_back(firmware::k_code_pieces[i].name);
+  for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+    if (pieces.bytes[i] == 0) {
+      names.emplace_back(pieces.code->pieces[i].name);
     }
   }
   return names;
 }
 
 /// Bytes of a namespace.
-std::int64_t bytes_in(const sim::PieceBytes& pieces, std::string_view name) {
+std::int64_t bytes_in(const sim::BoardPieces& pieces, std::string_view name) {
   std::int64_t bytes = 0;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    bytes += sim::is_in_namespace(firmware::k_code_pieces[i].name, name) ? pieces[i] : 0;
+  for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+    bytes += sim::is_in_namespace(pieces.code->pieces[i].name, name) ? pieces.bytes[i] : 0;
   }
   return bytes;
 }
@@ -52,15 +56,18 @@ firmware::Needs random_needs(firmware::trial::Random& random) {
 TEST_CASE("a scene that needs everything leaves out integer routines alone that nobody calls") {
   const Names routines = {"__mulsi3", "__udivsi3", "divide", "__umodsi3",
                           "__divsi3", "__modsi3",  "memset"};
-  const sim::PieceBytes pieces = sim::needed_pieces(all_needs());
-  for (const std::string& name : left_out(pieces)) {
-    INFO(name);
-    CHECK(std::count(routines.begin(), routines.end(), name) == 1);
+  for (const firmware::NumberFormat numbers : k_formats) {
+    CHECK(sim::program_code(numbers).numbers == numbers);
+    for (const std::string& name :
+         left_out(sim::needed_pieces(sim::program_code(numbers), all_needs()))) {
+      INFO(name);
+      CHECK(std::count(routines.begin(), routines.end(), name) == 1);
+    }
   }
 }
 
 TEST_CASE("the beginning of the program and what it always calls is in every board") {
-  const Names names = left_out(sim::needed_pieces(firmware::Needs{}));
+  const Names names = left_out(sim::needed_pieces(k_code, firmware::Needs{}));
   for (const std::string name : {"board_program", "board_synthesis", "follow", "cross"}) {
     CHECK(std::count(names.begin(), names.end(), name) == 0);
   }
@@ -68,17 +75,17 @@ TEST_CASE("the beginning of the program and what it always calls is in every boa
 
 TEST_CASE("a need takes nothing away, and a piece is there whole") {
   firmware::trial::Random random(515);
-  const sim::PieceBytes all = sim::all_pieces();
+  const sim::BoardPieces all = sim::all_pieces(k_code);
   for (int trial = 0; trial < 50; ++trial) {
     const firmware::Needs needs = random_needs(random);
-    const sim::PieceBytes pieces = sim::needed_pieces(needs);
+    const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs);
     for (const sim::NamedNeed& need : sim::named_needs(needs)) {
       INFO(need.name);
-      const sim::PieceBytes more = sim::needed_pieces(need.with);
-      for (std::size_t i = 0; i < pieces.size(); ++i) {
-        REQUIRE(more[i] >= pieces[i]);
-        const bool is_table = std::string_view{"k_primitives"} == firmware::k_code_pieces[i].name;
-        REQUIRE((pieces[i] == 0 || pieces[i] == all[i] || is_table));
+      const sim::BoardPieces more = sim::needed_pieces(k_code, need.with);
+      for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+        REQUIRE(more.bytes[i] >= pieces.bytes[i]);
+        const bool is_table = std::string_view{"k_primitives"} == k_code.pieces[i].name;
+        REQUIRE((pieces.bytes[i] == 0 || pieces.bytes[i] == all.bytes[i] || is_table));
       }
     }
   }
@@ -86,18 +93,18 @@ TEST_CASE("a need takes nothing away, and a piece is there whole") {
 
 TEST_CASE("every need but ambient light makes a board hold more than no need at all") {
   const firmware::Needs all = all_needs();
-  const auto whole = sim::code_bytes(sim::needed_pieces(all));
+  const auto whole = sim::code_bytes(sim::needed_pieces(k_code, all));
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
     INFO(sim::primitive_table()[static_cast<std::size_t>(kind)]->name);
     firmware::Needs needs = all;
     needs.primitives[kind] = false;
-    CHECK(sim::code_bytes(sim::needed_pieces(needs)) < whole);
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
   for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
     INFO(firmware::k_facet_distributions.rows[kind].name);
     firmware::Needs needs = all;
     needs.facets[kind] = false;
-    CHECK(sim::code_bytes(sim::needed_pieces(needs)) < whole);
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
   using firmware::Needs;
   for (bool Needs::*need :
@@ -107,13 +114,13 @@ TEST_CASE("every need but ambient light makes a board hold more than no need at 
         &Needs::reflections, &Needs::depth}) {
     Needs needs = all;
     needs.*need = false;
-    CHECK(sim::code_bytes(sim::needed_pieces(needs)) < whole);
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
 }
 
 TEST_CASE("a primitive takes code only from the scenes that need it") {
   constexpr std::int64_t k_row_bytes = 18;  // four addresses and a flag
-  const sim::PieceBytes bare = sim::needed_pieces(firmware::Needs{});
+  const sim::BoardPieces bare = sim::needed_pieces(k_code, firmware::Needs{});
   const auto bare_bytes = sim::code_bytes(bare);
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
     const std::string_view name = sim::primitive_table()[static_cast<std::size_t>(kind)]->name;
@@ -121,8 +128,8 @@ TEST_CASE("a primitive takes code only from the scenes that need it") {
     CHECK(bytes_in(bare, name) == 0);
     firmware::Needs needs{};
     needs.primitives[kind] = true;
-    const sim::PieceBytes pieces = sim::needed_pieces(needs);
-    CHECK(bytes_in(pieces, name) == bytes_in(sim::all_pieces(), name));
+    const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs);
+    CHECK(bytes_in(pieces, name) == bytes_in(sim::all_pieces(k_code), name));
     CHECK(sim::code_bytes(pieces) >=
           bare_bytes + bytes_in(pieces, name) + k_row_bytes * (kind + 1));
   }
@@ -134,13 +141,13 @@ TEST_CASE("code that several primitives share is there for each of them, and onc
     for (const firmware::PrimitiveKind kind : kinds) {
       needs.primitives[static_cast<int>(kind)] = true;
     }
-    return sim::needed_pieces(needs);
+    return sim::needed_pieces(k_code, needs);
   };
   constexpr auto k_torus = firmware::kind_of<firmware::torus::Kind>;
   constexpr auto k_algebraic = firmware::kind_of<firmware::algebraic::Kind>;
-  const sim::PieceBytes one = bytes_of({k_torus});
-  const sim::PieceBytes other = bytes_of({k_algebraic});
-  const sim::PieceBytes both = bytes_of({k_torus, k_algebraic});
+  const sim::BoardPieces one = bytes_of({k_torus});
+  const sim::BoardPieces other = bytes_of({k_algebraic});
+  const sim::BoardPieces both = bytes_of({k_torus, k_algebraic});
   CHECK(bytes_in(one, "laguerre") > 0);
   CHECK(bytes_in(other, "laguerre") == bytes_in(one, "laguerre"));
   CHECK(bytes_in(both, "laguerre") == bytes_in(one, "laguerre"));

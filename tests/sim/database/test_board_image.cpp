@@ -8,6 +8,7 @@
 #include "models/board/mc68000/mc68000.hpp"
 #include "sim/database/board_stack.hpp"
 #include "sim/database/prepared_scene.hpp"
+#include "sim/run/host_arithmetic.hpp"
 #include "sim/scene/description_loader.hpp"
 #include "tests/catch.hpp"
 
@@ -78,21 +79,29 @@ std::int64_t used_stack(const sim::BoardImage& image) {
   return image.ram.begin() + image.stack - lowest;
 }
 
+/// The arithmetic of IEEE numbers is the host's.
 Stop run(sim::BoardImage& image, ExternalBus& bus) {
+  NativeCalls routines;
+  firmware::Work work{};
   Mc68000 processor({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())}, bus);
   processor.registers().program_counter = address_of(image.program, "board_program");
   processor.registers().stack() = image.stack;
+  if (image.program.code->numbers == firmware::NumberFormat::ieee_single) {
+    sim::host_arithmetic(image.program)(routines, work);
+  }
+  processor.use(routines);
   return processor.run({});
 }
 
-void compare_with_firmware(const std::string& scene) {
-  INFO(scene);
+void compare_with_firmware(const std::string& scene, firmware::NumberFormat numbers) {
+  INFO(scene << ", format " << static_cast<int>(numbers));
   const sim::Description description = coarse_description(scene);
   const sim::PictureFormat format = sim::picture_format_of(description.machine);
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
-  sim::BoardImage image = sim::board_image(prepared.frame(), area.view(), whole_frame(format.width),
-                                           {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, 0});
+  sim::BoardImage image =
+      sim::board_image(numbers, prepared.frame(), area.view(), whole_frame(format.width),
+                       {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, 0});
   paint_stack(image);
   WrittenWords memory;
   const Stop stop = run(image, memory);
@@ -100,8 +109,9 @@ void compare_with_firmware(const std::string& scene) {
   REQUIRE(stop.reason == StopReason::stop_instruction);
   CHECK(used_stack(image) > 0);
   CHECK(used_stack(image) <=
-        sim::board_stack_bytes(sim::needed_pieces(prepared.frame().database.needs),
-                               prepared.packed().tree_height));
+        sim::board_stack_bytes(
+            sim::needed_pieces(sim::program_code(numbers), prepared.frame().database.needs),
+            prepared.packed().tree_height));
 
   const firmware::Rectangle& zone = prepared.frame().prepared.useful_zone;
   std::int64_t pixels = 0;
@@ -119,16 +129,24 @@ void compare_with_firmware(const std::string& scene) {
   CHECK(memory.writes() == 2 * pixels);
 }
 
-TEST_CASE("the program of a board has the firmware's pixels, bit for bit, on the stack as told") {
+void compare_all_scenes(firmware::NumberFormat numbers) {
   const std::filesystem::path scenes = std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes";
   for (const auto& entry : std::filesystem::directory_iterator(scenes)) {
     if (entry.path().extension() == ".yaml") {
-      compare_with_firmware(entry.path().filename());
+      compare_with_firmware(entry.path().filename(), numbers);
     }
   }
   for (const auto& entry : std::filesystem::directory_iterator(scenes / "primitives")) {
-    compare_with_firmware("primitives/" + entry.path().filename().string());
+    compare_with_firmware("primitives/" + entry.path().filename().string(), numbers);
   }
+}
+
+TEST_CASE("the program of a board has the firmware's pixels, bit for bit, on the stack as told") {
+  compare_all_scenes(firmware::NumberFormat::ffp);
+}
+
+TEST_CASE("so it has with IEEE numbers") {
+  compare_all_scenes(firmware::NumberFormat::ieee_single);
 }
 
 TEST_CASE("what does not fit into a board's RAM is refused") {
@@ -137,12 +155,30 @@ TEST_CASE("what does not fit into a board's RAM is refused") {
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   const auto image_in = [&](std::uint32_t ram_bytes) {
-    return sim::board_image(prepared.frame(), area.view(), whole_frame(format.width),
+    return sim::board_image(firmware::NumberFormat::ffp, prepared.frame(), area.view(),
+                            whole_frame(format.width),
                             {ram_bytes, 0x800, 1024, 32, 0, k_stack_bytes, 0});
   };
   const sim::BoardImage image = image_in(1U << 20U);
   CHECK_THROWS_AS(image_in(image.loaded_end), std::out_of_range);
   CHECK_THROWS_AS(image_in(0x1000), std::out_of_range);
+}
+
+TEST_CASE("a larger arithmetic package than the program's has its room before the database") {
+  const sim::Description description = coarse_description("photo4.yaml");
+  const sim::PictureFormat format = sim::picture_format_of(description.machine);
+  const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
+  sim::SynthesisArea<float> area(prepared.frame().database);
+  for (const std::uint32_t package_bytes : {1U, 100U, 6144U, 6145U}) {
+    const sim::BoardImage image = sim::board_image(
+        firmware::NumberFormat::ieee_single, prepared.frame(), area.view(),
+        whole_frame(format.width), {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, package_bytes});
+    const std::uint32_t room = image.database - image.program.package;
+    CHECK(room >= image.program.code->package.bytes.size());
+    CHECK(room >= package_bytes);
+    CHECK(room <= std::max(package_bytes + 1, 16U));
+    CHECK(image.database % 2 == 0);
+  }
 }
 
 }  // namespace

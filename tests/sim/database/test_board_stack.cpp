@@ -9,8 +9,9 @@ using namespace maquette;
 
 namespace {
 
-std::int64_t stack_bytes(const firmware::Needs& needs, int tree_height) {
-  return sim::board_stack_bytes(sim::needed_pieces(needs), tree_height);
+std::int64_t stack_bytes(const firmware::Needs& needs, int tree_height,
+                         firmware::NumberFormat numbers = firmware::NumberFormat::ffp) {
+  return sim::board_stack_bytes(sim::needed_pieces(sim::program_code(numbers), needs), tree_height);
 }
 
 firmware::Needs needs_of(firmware::PrimitiveKind kind) {
@@ -22,6 +23,7 @@ firmware::Needs needs_of(firmware::PrimitiveKind kind) {
 
 TEST_CASE("every function that calls itself says how deep") {
   CHECK_NOTHROW(stack_bytes(tests::all_needs(), 10));
+  CHECK_NOTHROW(stack_bytes(tests::all_needs(), 10, firmware::NumberFormat::ieee_single));
 }
 
 TEST_CASE("a higher tree takes more stack, the same for every level") {

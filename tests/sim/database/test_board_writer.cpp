@@ -13,7 +13,7 @@ using Bytes = std::vector<unsigned char>;
 template <class Structure>
 void check_size() {
   Bytes ram(4096);
-  sim::BoardWriter writer(ram, sim::NumberFormat::ieee_single);
+  sim::BoardWriter writer(ram, firmware::NumberFormat::ieee_single);
   const Structure structure{};
   CHECK(writer.write(64, &structure, 1) - 64 == firmware::board_bytes<Structure>());
   CHECK(writer.write(64, &structure, 1) % 2 == 0);
@@ -38,7 +38,7 @@ TEST_CASE("structures take on a board what the layout tells") {
 
 TEST_CASE("fields follow one another big-endian, words on even addresses") {
   Bytes ram(16);
-  sim::BoardWriter writer(ram, sim::NumberFormat::ieee_single);
+  sim::BoardWriter writer(ram, firmware::NumberFormat::ieee_single);
   const firmware::Crossing<float> crossing{1, 0x01020304, 5, true, 0x0607};
   CHECK(writer.write(2, &crossing, 1) == 14);
   CHECK(ram == Bytes{0, 0, 0x3F, 0x80, 0, 0, 1, 2, 3, 4, 5, 1, 6, 7, 0, 0});
@@ -47,16 +47,18 @@ TEST_CASE("fields follow one another big-endian, words on even addresses") {
   CHECK(ram == Bytes{0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3, 2, 0x07, 0, 0});
 }
 
-TEST_CASE("numbers are in the format of the board's arithmetic") {
-  CHECK(sim::number_bits(sim::NumberFormat::ffp, 1) == 0x80000041);
-  CHECK(sim::number_bits(sim::NumberFormat::ffp, -0.5F) == 0x800000C0);
-  CHECK(sim::number_bits(sim::NumberFormat::ffp, 0) == 0);
-  CHECK(sim::number_bits(sim::NumberFormat::ieee_single, 1) == 0x3F800000);
+TEST_CASE("numbers are in the format of the board's program") {
+  const float number = -1;
+  Bytes ram(4);
+  sim::BoardWriter(ram, firmware::NumberFormat::ffp).write(0, &number, 1);
+  CHECK(ram == Bytes{0x80, 0, 0, 0xC1});
+  sim::BoardWriter(ram, firmware::NumberFormat::ieee_single).write(0, &number, 1);
+  CHECK(ram == Bytes{0xBF, 0x80, 0, 0});
 }
 
 TEST_CASE("pointers become the addresses of what they point to") {
   Bytes ram(16);
-  sim::BoardWriter writer(ram, sim::NumberFormat::ffp);
+  sim::BoardWriter writer(ram, firmware::NumberFormat::ffp);
   firmware::Crossing<float> crossings[2];
   const firmware::WorkArea<float> area{crossings, nullptr};
   CHECK_THROWS_AS(writer.write(0, &area, 1), std::out_of_range);
@@ -67,7 +69,7 @@ TEST_CASE("pointers become the addresses of what they point to") {
 
 TEST_CASE("nothing is written behind the RAM") {
   Bytes ram(12);
-  sim::BoardWriter writer(ram, sim::NumberFormat::ffp);
+  sim::BoardWriter writer(ram, firmware::NumberFormat::ffp);
   const firmware::Composite composite{};
   CHECK_THROWS_AS(writer.write(0, &composite, 1), std::out_of_range);
 }

@@ -39,7 +39,8 @@ BoardImage image_of(const Description& description) {
   const PreparedScene<float> scene(
       packed_scene<float>(description.scene, picture_format_of(description.machine)));
   SynthesisArea<float> area(scene.frame().database);
-  return board_image(scene.frame(), area.view(), {}, board_room(description.machine, 0x900000));
+  return board_image(models::numbers_of(description.machine.parameters.board.arithmetic),
+                     scene.frame(), area.view(), {}, board_room(description.machine, 0x900000));
 }
 
 TEST_CASE("the uses of a board's RAM follow one another up to the stack at its top") {
@@ -63,6 +64,7 @@ TEST_CASE("the map is that of the image that a board gets") {
                                                     {"board.database=shared"},
                                                     {"board.pixel_write=line"},
                                                     {"board.arithmetic=mc68881"},
+                                                    {"board.arithmetic=ieee_single"},
                                                     {"host.loads_code=false"}}) {
     const Description description = described("photo4.yaml", overrides);
     const MemoryMap map = map_of(description);
@@ -89,13 +91,15 @@ TEST_CASE("an arithmetic package has the room that its table tells, or that of t
   CHECK(package_bytes("motorola_ffp") == own_bytes);
   CHECK(package_bytes("mc68881") == own_bytes);
   CHECK(package_bytes("vax_11_750_fpa") == 4096);
+  CHECK(package_bytes("ieee_single") == 6144);
 }
 
 TEST_CASE("a database is the same bytes in a board's RAM and in shared memory") {
   const Description description = described("photo4.yaml");
   const PackedScene<float> packed =
       packed_scene<float>(description.scene, picture_format_of(description.machine));
-  const std::vector<unsigned char> shared = database_image(packed.database(), NumberFormat::ffp);
+  const std::vector<unsigned char> shared =
+      database_image(packed.database(), firmware::NumberFormat::ffp);
   const BoardImage image = image_of(description);
   REQUIRE(static_cast<std::int64_t>(shared.size()) ==
           use_of(map_of(description), "database").bytes);

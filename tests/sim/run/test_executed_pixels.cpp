@@ -69,6 +69,7 @@ TEST_CASE("a board alone writes the sample's pixels, in their order, as the firm
     }
     check_sample({"board.arithmetic=maquette_ffp", "allotment.assignment=on_demand"}, share);
     check_sample({"board.pixel_write=line"}, share);
+    check_sample({"board.arithmetic=ieee_single"}, share);
   }
 }
 
@@ -95,7 +96,7 @@ TEST_CASE("the taker of pixels ends the execution") {
 }
 
 TEST_CASE("what boards can not execute is refused with what to set") {
-  const Description description = coarse({"board.arithmetic=ieee_single"});
+  const Description description = coarse({"board.arithmetic=mc68881"});
   try {
     executed(description, 1);
     FAIL("it is executed");
