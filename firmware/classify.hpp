@@ -82,7 +82,7 @@ std::int32_t cross_leaf(const Frame<Real>& frame, const RayQuery<Real>& query, N
 
 /// Crossings of a ray with a node, written from `first` on, in order; returns their number. Where
 /// the first operand of a difference or an intersection is missed the second is not looked at. The
-/// space needed behind `first` is what CrossingNeeds says (memory_needs.hpp).
+/// space needed behind `first` is what CrossingNeeds says (work_area.hpp).
 template <class Real>
 std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node,
                    Crossing<Real>* first) {

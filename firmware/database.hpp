@@ -5,8 +5,7 @@
 #include "firmware/vector.hpp"
 
 /// The scene as a board's RAM holds it (paper, section V.2.3.1.1): flat arrays, loaded by the host.
-/// The host program lays them out in its own way; the sizes in memory_needs.hpp are those of the
-/// board.
+/// The host program lays them out in its own way; how a board does, layout.hpp tells.
 namespace maquette::firmware {
 
 /// Leaves are numbered 0 .. leaf_count-1, composites follow; children have smaller numbers than

@@ -8,13 +8,15 @@
 /// The program of a board as code for the 68000, in pieces that are linked for each scene.
 namespace maquette::firmware {
 
-/// A function or a table: its words, and the long words in them that are addresses.
+/// A function or a table: its words, the long words in them that are addresses, and what a function
+/// in C++ puts on the stack, without its return address.
 struct CodePiece {
   const char* name;
   std::uint32_t first_word;
   std::uint32_t words;
   std::uint32_t first_address;
   std::uint32_t addresses;
+  std::uint32_t stack_bytes;
 };
 
 /// Instead of a piece, the arithmetic package.

@@ -17,7 +17,7 @@ struct PendingRay {
   NodeIndex left_behind;  ///< leaf whose outside it has just left, or k_no_node
 };
 
-/// What synthesis writes on: crossings of one ray and rays that wait. Sizes: memory_needs.hpp.
+/// What synthesis writes on: crossings of one ray and rays that wait. Sizes: work_area.hpp.
 template <class Real>
 struct WorkArea {
   Crossing<Real>* crossings;

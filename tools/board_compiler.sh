@@ -1,6 +1,5 @@
 # shellcheck shell=bash
-# What tools/board_program and tools/board_code share: the compiler for the 68000, and names of
-# functions. Sourced, not run.
+# The compiler for the 68000 that makes the program of a board, and names of functions. Sourced, not run.
 
 top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -9,7 +8,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 gcc_version=12
 glm_version=0.9.9.8
 compiler=m68k-linux-gnu-g++-$gcc_version
-# shellcheck disable=SC2034 # Both use them.
+# shellcheck disable=SC2034 # It is used by who sources this.
 target_flags=(-std=c++17 -fno-inline-functions-called-once -m68000 -ffreestanding -fno-exceptions
   -fno-rtti -DNDEBUG -Wall -Wextra -Werror)
 
@@ -68,6 +67,7 @@ name_of='
 function name_of(signature) {
   gsub(/\(glm::qualifier\)/, "", signature)
   sub(/ \[(with|clone) .*/, "", signature)
+  sub(/(\(anonymous namespace\)|\{anonymous\})::/, "", signature)
   while (gsub(/<[^<>]*>/, "", signature)) {}
   sub(/\(.*/, "", signature)
   sub(/.* /, "", signature)

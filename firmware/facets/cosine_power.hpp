@@ -19,8 +19,7 @@ inline FacetShape shape(double half_angle) {
 
 /// What the table of distributions lists.
 struct Kind {
-  static constexpr FacetDistribution k_distribution{
-      "cosine_power", "cosine power", shape, {"logarithm", "exponential"}};
+  static constexpr FacetDistribution k_distribution{"cosine_power", "cosine power", shape};
   template <class Real>
   static constexpr auto k_value = distribution<Real>;
 };

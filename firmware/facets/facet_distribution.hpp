@@ -18,8 +18,6 @@ struct FacetDistribution {
   /// The shape whose values fall to one half at an angle (Blinn 1977), in radians, above 0 and
   /// below pi/2. The host makes it: a board gets it with the surface.
   FacetShape (*shape)(double half_angle);
-  /// Functions outside of its namespace that not every scene needs; the rest null.
-  const char* calls[2];
 };
 
 }  // namespace maquette::firmware

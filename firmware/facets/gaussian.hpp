@@ -37,7 +37,7 @@ inline FacetShape shape(double half_angle) {
 
 /// What the table of distributions lists.
 struct Kind {
-  static constexpr FacetDistribution k_distribution{"gaussian", "Gaussian", shape, {"exponential"}};
+  static constexpr FacetDistribution k_distribution{"gaussian", "Gaussian", shape};
   template <class Real>
   static constexpr auto k_value = distribution<Real>;
 };

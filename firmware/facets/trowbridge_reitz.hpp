@@ -23,8 +23,7 @@ inline FacetShape shape(double half_angle) {
 
 /// What the table of distributions lists.
 struct Kind {
-  static constexpr FacetDistribution k_distribution{
-      "trowbridge_reitz", "Trowbridge-Reitz", shape, {}};
+  static constexpr FacetDistribution k_distribution{"trowbridge_reitz", "Trowbridge-Reitz", shape};
   template <class Real>
   static constexpr auto k_value = distribution<Real>;
 };

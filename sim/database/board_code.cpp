@@ -1,92 +1,56 @@
 #include "sim/database/board_code.hpp"
 
-#include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <string_view>
 
-#include "firmware/board_functions.hpp"
+#include "firmware/board_code_ffp.hpp"
+#include "firmware/board_code_ieee_single.hpp"
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
-#include "sim/primitives/primitive_table.hpp"
+#include "sim/primitives/board_call.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
+using firmware::CodePiece;
 using firmware::Needs;
 
-/// A function that only some scenes need. What only some primitives or distributions of facets
-/// need, their descriptions name.
-struct OptionalCode {
+/// A function before whose call the firmware asks whether it is needed. What can be called from
+/// there alone is left out with it.
+struct Gate {
   CodeName code;
-  bool (*is_needed)(const Needs& needs);
+  bool (*is_open)(const Needs& needs);
 };
 
-bool needs_composites(const Needs& needs) {
-  return needs.unions || needs.intersections || needs.differences;
-}
-
-bool needs_large_unions(const Needs& needs) { return needs.large_unions; }
-
-bool needs_gloss(const Needs& needs) { return needs.specular && needs.lights; }
-
-constexpr OptionalCode k_optional_code[] = {
+constexpr Gate k_gates[] = {
     {"cross_spans", [](const Needs& needs) { return needs.several_spans; }},
-    {"against_boxes", needs_large_unions},
-    {"slab_scale", needs_large_unions},
-    {"entry_into", needs_large_unions},
-    {"entry_of", needs_large_unions},
-    {"cross_nearest", needs_large_unions},
-    {"cross_ahead", needs_large_unions},
-    {"combine", needs_composites},
-    {"OperandCursor::take", needs_composites},
+    {"against_boxes", [](const Needs& needs) { return needs.large_unions; }},
+    {"entry_into", [](const Needs& needs) { return needs.large_unions; }},
+    {"cross_ahead", [](const Needs& needs) { return needs.large_unions; }},
+    {"combine",
+     [](const Needs& needs) { return needs.unions || needs.intersections || needs.differences; }},
     {"united", [](const Needs& needs) { return needs.unions; }},
     {"common", [](const Needs& needs) { return needs.intersections; }},
     {"preprocessing::prepare_surfaces", [](const Needs& needs) { return needs.diffuse; }},
     {"light_from", [](const Needs& needs) { return needs.lights; }},
-    {"glossy_reflection", needs_gloss},
-    {"facet_term", needs_gloss},
+    {"glossy_reflection", [](const Needs& needs) { return needs.specular && needs.lights; }},
     {"fresnel_factor", [](const Needs& needs) { return needs.specular; }},
     {"dielectric_border", [](const Needs& needs) { return needs.dielectrics; }},
     {"conductor_reflection", [](const Needs& needs) { return needs.metals; }},
-    {"exponential", [](const Needs& needs) { return needs.absorption; }},
     {"glossy_transmission", [](const Needs& needs) { return needs.transparency && needs.lights; }},
     {"transmitted_over", [](const Needs& needs) { return needs.absorption; }},
     {"pass_node", [](const Needs& needs) { return needs.shadows; }},
     {"pass_crossings", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
-    {"pass_surface", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
-    {"far_departure", [](const Needs& needs) { return needs.transparency; }},
     {"depth_range", [](const Needs& needs) { return needs.depth; }},
     {"depth_code", [](const Needs& needs) { return needs.depth; }},
     {"spawn", [](const Needs& needs) { return needs.reflections; }},
-    {"spawn_reflected", [](const Needs& needs) { return needs.reflections; }},
     {"spawn_refracted", [](const Needs& needs) { return needs.reflections && needs.transparency; }},
 };
 
-bool is_called_by(const PrimitiveDescription& primitive, std::string_view function) {
-  const auto holds_function = [function](const CodeName& code) {
-    return holds(code.name, function);
-  };
-  return is_in_namespace(function, primitive.name) ||
-         std::any_of(primitive.shared_code.begin(), primitive.shared_code.end(),
-                     [&](const CodeList& list) {
-                       return std::any_of(list.begin(), list.end(), holds_function);
-                     });
-}
-
-/// Whether a row of the table of distributions names code that the board's program has.
-constexpr bool is_in_program(const firmware::FacetDistribution& facets) {
-  for (const char* call : facets.calls) {
-    if (call != nullptr && !has_code(call)) {
-      return false;
-    }
-  }
-  return has_namespace(facets.name);
-}
-
 constexpr bool are_in_program(const firmware::FacetTable& table) {
   for (const firmware::FacetDistribution& facets : table.rows) {
-    if (!is_in_program(facets)) {
+    if (!has_namespace(facets.name)) {
       return false;
     }
   }
@@ -94,107 +58,91 @@ constexpr bool are_in_program(const firmware::FacetTable& table) {
 }
 
 static_assert(are_in_program(firmware::k_facet_distributions),
-              "the program of a board has no such function");
+              "the program of a board has no such namespace");
 
-bool is_called_by(const firmware::FacetDistribution& facets, std::string_view function) {
-  return is_in_namespace(function, facets.name) ||
-         std::any_of(std::begin(facets.calls), std::end(facets.calls),
-                     [&](const char* call) { return call != nullptr && function == call; });
-}
-
-constexpr std::string_view k_table = "k_primitives";
-constexpr std::int64_t k_table_bytes = board_function(k_table)->code_bytes;
-static_assert(k_table_bytes % firmware::k_primitive_kind_count == 0);
-
-/// Rows of the table of primitives, whose places are the kinds, up to the last that the scene
-/// needs.
-std::int64_t needed_table_bytes(const Needs& needs) {
-  int rows = k_resident_primitives;
-  for (int kind = rows; kind < firmware::k_primitive_kind_count; ++kind) {
-    rows = needs.primitives[kind] ? kind + 1 : rows;
-  }
-  return k_table_bytes / firmware::k_primitive_kind_count * rows;
-}
-
-}  // namespace
-
-bool is_needed(std::string_view function, const Needs& needs) {
-  bool is_optional = false;
-  bool is_called = false;
-  const auto add = [&](bool calls, bool is_caller_needed) {
-    is_optional = is_optional || calls;
-    is_called = is_called || (calls && is_caller_needed);
-  };
-  for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {
-    add(is_called_by(*primitive_table()[kind], function), needs.primitives[kind]);
+bool is_open(std::string_view function, const Needs& needs) {
+  bool open = true;
+  for (const Gate& gate : k_gates) {
+    open = open && (function != gate.code.name || gate.is_open(needs));
   }
   for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
-    add(is_called_by(firmware::k_facet_distributions.rows[kind], function), needs.facets[kind]);
+    const char* const facets = firmware::k_facet_distributions.rows[kind].name;
+    open = open && (!is_in_namespace(function, facets) || needs.facets[kind]);
   }
-  for (const OptionalCode& optional : k_optional_code) {
-    add(holds(optional.code.name, function), optional.is_needed(needs));
-  }
-  return is_called || !is_optional;
+  return open;
 }
 
-namespace {
+constexpr std::uint32_t bytes_of(const CodePiece& piece) { return 2 * piece.words; }
 
-std::int64_t needed_bytes(const firmware::BoardFunction& function, const Needs& needs) {
-  if (function.name == k_table) {
-    return needed_table_bytes(needs);
+constexpr CodeName k_table = "k_primitives";
+
+/// Follows the addresses in a program.
+class Reach {
+ public:
+  Reach(const firmware::ProgramCode& code, const Needs& needs)
+      : needs_(needs), pieces_{&code, std::vector<std::uint32_t>(code.pieces.size())} {}
+
+  void add(std::uint32_t number) {
+    const CodePiece& piece = pieces_.code->pieces[number];
+    if (pieces_.bytes[number] != 0 || !is_open(piece.name, needs_)) {
+      return;
+    }
+    const bool is_table = k_table.name == piece.name;
+    const std::uint32_t row_bytes = bytes_of(piece) / firmware::k_primitive_kind_count;
+    pieces_.bytes[number] = is_table ? row_bytes * needed_rows() : bytes_of(piece);
+    for (std::uint32_t i = 0; i < piece.addresses; ++i) {
+      const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
+      const bool is_needed = !is_table || needs_.primitives[address.offset / row_bytes];
+      if (address.piece != firmware::k_package && is_needed) {
+        add(address.piece);
+      }
+    }
   }
-  return is_needed(function.name, needs) ? function.code_bytes : 0;
-}
 
-std::int64_t chain_bytes(const CallChain& chain) {
-  constexpr std::int64_t k_return_address_bytes = 4;
-  std::int64_t bytes = 0;
-  for (const Call& call : chain) {
-    bytes += call.times * (k_return_address_bytes + call.function->stack_bytes);
+  [[nodiscard]] const BoardPieces& pieces() const { return pieces_; }
+
+ private:
+  [[nodiscard]] std::uint32_t needed_rows() const {
+    std::uint32_t rows = 0;
+    for (std::uint32_t kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+      rows = needs_.primitives[kind] ? kind + 1 : rows;
+    }
+    return rows;
   }
-  return bytes;
-}
 
-constexpr Call k_pixel_calls[] = {{"synthesize"}, {"luminance"}, {"follow"}, {"light_from"}};
-constexpr Call k_cross_call[] = {{"cross"}};
-constexpr Call k_shadow_call[] = {{"pass_node"}};
-constexpr Call k_nearest_call[] = {{"cross_nearest"}};
-constexpr Call k_ahead_call[] = {{"cross_ahead"}};
+  const Needs& needs_;
+  BoardPieces pieces_;
+};
 
-/// Whether the stack has room for the calls below a leaf of a primitive: of a resident convex one
-/// in every scene.
-bool has_room_for_calls(int kind, const Needs& needs) {
-  const bool is_convex = firmware::k_primitives<float>.rows[kind].is_convex;
-  return needs.primitives[kind] || (kind < k_resident_primitives && is_convex);
-}
+constexpr CodeName k_beginning = "board_program";
 
 }  // namespace
 
-BoardCode board_code_of(const Needs& needs) {
-  BoardCode code{};
-  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-    const std::int64_t needed = needed_bytes(function, needs);
-    code.needed_bytes += needed;
-    code.left_out_bytes += function.code_bytes - needed;
-  }
-  return code;
+const firmware::ProgramCode& program_code(firmware::NumberFormat numbers) {
+  return numbers == firmware::NumberFormat::ffp ? firmware::board_code_ffp::k_program
+                                                : firmware::board_code_ieee_single::k_program;
 }
 
-std::int64_t board_stack_bytes(int tree_height, const Needs& needs) {
-  std::int64_t deepest = 0;
-  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
-    if (has_room_for_calls(kind, needs)) {
-      const PrimitiveDescription& primitive = *primitive_table()[static_cast<std::size_t>(kind)];
-      deepest = std::max(deepest, chain_bytes(primitive.call_chain));
+BoardPieces all_pieces(const firmware::ProgramCode& code) {
+  BoardPieces pieces{&code, {}};
+  for (const CodePiece& piece : code.pieces) {
+    pieces.bytes.push_back(bytes_of(piece));
+  }
+  return pieces;
+}
+
+BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs) {
+  Reach reach(code, needs);
+  for (std::uint32_t number = 0; number < code.pieces.size(); ++number) {
+    if (k_beginning.name == code.pieces[number].name) {
+      reach.add(number);
     }
   }
-  std::int64_t bytes = chain_bytes(k_pixel_calls) + deepest;
-  std::int64_t level = std::max(chain_bytes(k_cross_call), chain_bytes(k_shadow_call));
-  if (needs.large_unions) {
-    level = std::max(level, chain_bytes(k_nearest_call));
-    bytes += chain_bytes(k_ahead_call);
-  }
-  return bytes + (tree_height + 1) * level;
+  return reach.pieces();
+}
+
+std::int64_t code_bytes(const BoardPieces& pieces) {
+  return std::accumulate(pieces.bytes.begin(), pieces.bytes.end(), std::int64_t{0});
 }
 
 }  // namespace maquette::sim

@@ -1,32 +1,32 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
+#include <vector>
 
 #include "firmware/database.hpp"
+#include "firmware/program_code.hpp"
 
 namespace maquette::sim {
 
-/// The first primitives of the table, whose rows of it stand in every board's program. A row behind
-/// them is there only as far as the scene needs it, so that a further primitive takes nothing from
-/// the scenes that do without it.
-inline constexpr int k_resident_primitives = 10;
+/// The program of a board with numbers of a format.
+[[nodiscard]] const firmware::ProgramCode& program_code(firmware::NumberFormat numbers);
 
-/// Code of the firmware as compiled for the 68000, in bytes.
-struct BoardCode {
-  std::int64_t needed_bytes;    ///< what a scene's needs make a board hold
-  std::int64_t left_out_bytes;  ///< what it can do without
+/// What of a program a board holds.
+struct BoardPieces {
+  const firmware::ProgramCode* code;
+  std::vector<std::uint32_t> bytes;  ///< of each piece from its beginning; 0 of one left out
 };
 
-/// Whether a scene with these needs runs a function of the board's program, given by its name. What
-/// nobody calls in particular, every scene needs.
-bool is_needed(std::string_view function, const firmware::Needs& needs);
+/// The whole program.
+[[nodiscard]] BoardPieces all_pieces(const firmware::ProgramCode& code);
 
-BoardCode board_code_of(const firmware::Needs& needs);
+/// What a board can come to in a scene with these needs: the pieces to which the addresses in its
+/// program lead, from its beginning on. Of the table of primitives, the rows behind the last that
+/// is needed are left out, so that a further primitive takes nothing from scenes without it.
+[[nodiscard]] BoardPieces needed_pieces(const firmware::ProgramCode& code,
+                                        const firmware::Needs& needs);
 
-/// Stack of the deepest chain of calls, for a tree with so many composites on its longest way down
-/// and the primitives that are needed;
-/// from the compiler's stack usage, plus a return address per call.
-std::int64_t board_stack_bytes(int tree_height, const firmware::Needs& needs);
+/// All pieces together.
+[[nodiscard]] std::int64_t code_bytes(const BoardPieces& pieces);
 
 }  // namespace maquette::sim

@@ -4,108 +4,47 @@
 #include <stdexcept>
 
 #include "firmware/layout.hpp"
-#include "sim/database/board_code.hpp"
+#include "sim/database/ram_layout.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
-using firmware::board_bytes;
+constexpr std::uint32_t k_long_bytes = firmware::BoardLayout::k_long_bytes;
 
-/// Gives out addresses, one behind the other.
-class Allocator {
- public:
-  explicit Allocator(std::uint32_t first) : next_(first) {}
-
-  template <class Structure>
-  std::uint32_t take(std::size_t count = 1) {
-    const std::uint32_t address = next_;
-    next_ +=
-        static_cast<std::uint32_t>(count) * static_cast<std::uint32_t>(board_bytes<Structure>());
-    next_ += next_ % 2;
-    return address;
-  }
-
-  [[nodiscard]] std::uint32_t next() const { return next_; }
-
- private:
-  std::uint32_t next_;
-};
-
-/// Where the arrays of a scene are.
-class Arrays {
- public:
-  Arrays(std::uint32_t first, BoardWriter& writer) : allocator_(first), writer_(writer) {}
-
-  /// Takes room for an array that the program fills, or that is written later.
-  template <class Structure>
-  std::uint32_t reserve(const Structure* first, std::size_t count) {
-    const std::uint32_t address = allocator_.take<Structure>(count);
-    writer_.tell(first, address);
-    return address;
-  }
-
-  /// Takes room for an array and writes it.
-  template <class Structure>
-  std::uint32_t place(const Structure* first, std::size_t count) {
-    const std::uint32_t address = reserve(first, count);
-    writer_.write(address, first, count);
-    return address;
-  }
-
-  [[nodiscard]] std::uint32_t end() const { return allocator_.next(); }
-
- private:
-  Allocator allocator_;
-  BoardWriter& writer_;
-};
-
-/// The firmware's structures, but for the task. What preprocessing and synthesis write comes last,
-/// so that what is loaded is in one piece.
-void place_scene(const firmware::Database<float>& database, Arrays& arrays) {
-  arrays.place(database.leaves, database.leaf_count);
-  arrays.place(database.composites, database.composite_count);
-  arrays.place(database.parameters, database.parameter_count);
-  arrays.place(database.surfaces, database.surface_count);
-  arrays.place(database.lights, database.light_count);
+std::uint32_t address_of(const RamPlace& place) {
+  return static_cast<std::uint32_t>(place.address);
 }
 
-void reserve_prepared(const firmware::Frame<float>& frame, Arrays& arrays) {
-  const firmware::Database<float>& database = frame.database;
-  arrays.reserve(frame.prepared.leaves, database.leaf_count);
-  arrays.reserve(frame.prepared.extents, database.node_count());
-  arrays.reserve(frame.prepared.surfaces, database.surface_count);
-  arrays.reserve(frame.prepared.light_positions, database.light_count);
-}
-
-/// The program that a scene needs. Where the package in it stands for a larger one, it has as much
-/// room as that.
-LinkedProgram program_for(const firmware::Needs& needs, firmware::NumberFormat numbers,
-                          const BoardRoom& room) {
-  LinkedProgram program = linked_program(
-      program_code(numbers), room.system_bytes,
-      [&needs](const firmware::CodePiece& piece) { return is_needed(piece.name, needs); });
-  const std::size_t least = program.package - program.base + room.package_bytes;
-  program.bytes.resize(std::max(program.bytes.size(), least));
-  return program;
-}
-
-std::vector<unsigned char> ram_with(const LinkedProgram& program, std::uint32_t ram_bytes) {
-  if (program.base + program.bytes.size() > ram_bytes) {
-    throw std::out_of_range("the program does not fit into the board's RAM");
+void tell_places(const RamLayout& layout, BoardWriter& writer) {
+  for (const RamPlace& place : layout.places) {
+    writer.tell(place.object, address_of(place));
   }
-  std::vector<unsigned char> ram(ram_bytes);
-  std::copy(program.bytes.begin(), program.bytes.end(), ram.begin() + program.base);
-  return ram;
+}
+
+/// Tells where arrays are that follow one another from an address on.
+void tell_arrays(const firmware::Database<float>& database, std::uint32_t address,
+                 BoardWriter& writer) {
+  for_each_array(database, [&](const auto* first, std::size_t count) {
+    writer.tell(first, address);
+    address += static_cast<std::uint32_t>(static_cast<std::int64_t>(count) *
+                                          firmware::board_bytes<std::decay_t<decltype(*first)>>());
+  });
+}
+
+void write_arrays(const firmware::Database<float>& database, BoardWriter& writer) {
+  for_each_array(database, [&writer](const auto* first, std::size_t count) {
+    if (count > 0) {
+      writer.write(writer.address_of(first), first, count);
+    }
+  });
 }
 
 /// Puts the argument of the program above a return address that it never uses.
-std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram) {
-  constexpr std::uint32_t k_long_bytes = 4;
+std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram,
+                            BoardWriter& writer) {
   const auto top = static_cast<std::uint32_t>(ram.size()) - k_long_bytes;
-  for (std::uint32_t byte = 0; byte < k_long_bytes; ++byte) {
-    ram[top + byte] = static_cast<unsigned char>(task >> 8 * (k_long_bytes - 1 - byte));
-  }
+  writer.write(top, &task, 1);
   return top - k_long_bytes;
 }
 
@@ -114,29 +53,45 @@ std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram)
 BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
                        const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
                        const BoardRoom& room) {
-  BoardImage image{};
-  image.program = program_for(frame.database.needs, numbers, room);
-  image.ram = ram_with(image.program, room.ram_bytes);
-  image.database = room.system_bytes + static_cast<std::uint32_t>(image.program.bytes.size());
-  image.database += image.database % 2;
-  BoardWriter writer(image.ram, numbers);
-  Arrays arrays(image.database, writer);
-  place_scene(frame.database, arrays);
-  const std::uint32_t task = arrays.reserve<firmware::BoardTask<float>>(nullptr, 1);
-  image.loaded_end = arrays.end();
-  reserve_prepared(frame, arrays);
-  arrays.reserve(area.crossings, room.crossings);
-  arrays.reserve(area.rays, room.waiting_rays);
-  firmware::BoardTask<float> filled{frame, area, order};
-  if (room.line_pixels > 0) {
-    filled.order.line = arrays.reserve<std::uint32_t>(nullptr, room.line_pixels);
-  }
-  writer.write(task, &filled, 1);
-  if (arrays.end() + room.stack_bytes > room.ram_bytes) {
+  const BoardPieces pieces = needed_pieces(program_code(numbers), frame.database.needs);
+  firmware::BoardTask<float> task{frame, area, order};
+  const RamLayout layout = ram_layout(task, pieces, room);
+  if (!layout.fits(room)) {
     throw std::out_of_range("program, scene and work area do not fit into the board's RAM");
   }
-  image.stack = prepare_stack(task, image.ram);
+  BoardImage image{};
+  image.program = linked_program(room.system_bytes, pieces);
+  image.database = static_cast<std::uint32_t>(layout.first_loaded_data);
+  image.loaded_end = static_cast<std::uint32_t>(layout.loaded_end);
+  image.ram.resize(room.ram_bytes);
+  std::copy(image.program.bytes.begin(), image.program.bytes.end(),
+            image.ram.begin() + image.program.base);
+  BoardWriter writer(image.ram, numbers);
+  tell_places(layout, writer);
+  if (room.shared_database) {
+    tell_arrays(frame.database, *room.shared_database, writer);
+  } else {
+    write_arrays(frame.database, writer);
+  }
+  task.order.line = room.line_pixels > 0 ? writer.address_of(&task.order.line) : 0;
+  const std::uint32_t task_address = writer.address_of(&task);
+  writer.write(task_address, &task, 1);
+  image.stack = prepare_stack(task_address, image.ram, writer);
   return image;
+}
+
+std::vector<unsigned char> database_image(const firmware::Database<float>& database,
+                                          firmware::NumberFormat numbers) {
+  std::vector<unsigned char> bytes;
+  for_each_array(database, [&bytes](const auto* first, std::size_t count) {
+    using Structure = std::decay_t<decltype(*first)>;
+    bytes.resize(bytes.size() +
+                 count * static_cast<std::size_t>(firmware::board_bytes<Structure>()));
+  });
+  BoardWriter writer(bytes, numbers);
+  tell_arrays(database, 0, writer);
+  write_arrays(database, writer);
+  return bytes;
 }
 
 }  // namespace maquette::sim

@@ -1,17 +1,12 @@
 #include "sim/database/board_link.hpp"
 
-#include <stdexcept>
-#include <string>
-
-#include "firmware/board_code_ffp.hpp"
-#include "firmware/board_code_ieee_single.hpp"
-
 namespace maquette::sim {
 
 namespace {
 
 constexpr unsigned k_byte_bits = 8;
 constexpr std::size_t k_word_bytes = 2;
+constexpr std::uint32_t k_long_bytes = 4;
 /// What is left out is at an odd address, to which no program can go.
 constexpr std::uint32_t k_nowhere = 1;
 
@@ -26,37 +21,33 @@ void put_long(unsigned char* place, std::uint32_t value) {
 }
 
 void copy_words(const firmware::ProgramCode& code, const firmware::CodePiece& piece,
-                unsigned char* place) {
-  for (std::uint32_t i = 0; i < piece.words; ++i) {
+                std::uint32_t bytes, unsigned char* place) {
+  for (std::uint32_t i = 0; i < bytes / k_word_bytes; ++i) {
     put_word(place + k_word_bytes * i, code.words[piece.first_word + i]);
   }
 }
 
-void resolve_addresses(const firmware::CodePiece& piece, const LinkedProgram& program,
-                       unsigned char* place) {
+void resolve_addresses(const firmware::CodePiece& piece, std::uint32_t bytes,
+                       const LinkedProgram& program, unsigned char* place) {
   for (std::uint32_t i = 0; i < piece.addresses; ++i) {
     const firmware::CodeAddress& address = program.code->addresses[piece.first_address + i];
     const std::uint32_t target =
         address.piece == firmware::k_package ? program.package : program.addresses[address.piece];
-    put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
+    if (address.offset + k_long_bytes <= bytes) {
+      put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
+    }
   }
 }
 
 }  // namespace
 
-const firmware::ProgramCode& program_code(firmware::NumberFormat numbers) {
-  return numbers == firmware::NumberFormat::ffp ? firmware::board_code_ffp::k_program
-                                                : firmware::board_code_ieee_single::k_program;
-}
-
-LinkedProgram linked_program(const firmware::ProgramCode& code, std::uint32_t base,
-                             const std::function<bool(const firmware::CodePiece&)>& is_needed) {
+LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
+  const firmware::ProgramCode& code = *pieces.code;
   LinkedProgram program{&code, base, 0, {}, {}};
   std::uint32_t end = base;
-  for (const firmware::CodePiece& piece : code.pieces) {
-    const bool needed = is_needed(piece);
-    program.addresses.push_back(needed ? end : 0);
-    end += needed ? static_cast<std::uint32_t>(k_word_bytes * piece.words) : 0;
+  for (const std::uint32_t bytes : pieces.bytes) {
+    program.addresses.push_back(bytes == 0 ? 0 : end);
+    end += bytes;
   }
   program.package = end;
   program.bytes.resize(end - base);
@@ -64,8 +55,8 @@ LinkedProgram linked_program(const firmware::ProgramCode& code, std::uint32_t ba
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
     if (program.addresses[i] != 0) {
       unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
-      copy_words(code, code.pieces[i], place);
-      resolve_addresses(code.pieces[i], program, place);
+      copy_words(code, code.pieces[i], pieces.bytes[i], place);
+      resolve_addresses(code.pieces[i], pieces.bytes[i], program, place);
     }
   }
   return program;
@@ -77,7 +68,7 @@ std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
       return program.addresses[i];
     }
   }
-  throw std::out_of_range("the program of the board has no " + std::string(name));
+  return 0;
 }
 
 }  // namespace maquette::sim

@@ -21,6 +21,11 @@ class BoardWriter {
   /// Tells where on the board it is that a pointer of the host points to.
   void tell(const void* pointer, std::uint32_t address) { addresses_[pointer] = address; }
 
+  /// What was told of a pointer. Throws std::out_of_range when nothing was.
+  [[nodiscard]] std::uint32_t address_of(const void* pointer) const {
+    return addresses_.at(pointer);
+  }
+
   /// Writes one after another from an even address on; returns the address behind them. Throws
   /// std::out_of_range behind the RAM's end and for a pointer that nothing was told of.
   template <class Structure>
@@ -37,7 +42,7 @@ class BoardWriter {
     if constexpr (std::is_integral_v<Field> || std::is_enum_v<Field>) {
       put(static_cast<std::uint32_t>(field), sizeof field);
     } else if constexpr (std::is_pointer_v<Field>) {
-      put(field == nullptr ? 0 : addresses_.at(field), firmware::BoardLayout::k_long_bytes);
+      put(field == nullptr ? 0 : address_of(field), firmware::BoardLayout::k_long_bytes);
     } else {
       firmware::BoardLayout layout;
       for_each_field(field, layout);

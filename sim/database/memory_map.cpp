@@ -2,21 +2,25 @@
 
 #include <fmt/format.h>
 
-#include "firmware/arithmetic/counted.hpp"
-#include "firmware/memory_needs.hpp"
-#include "sim/database/board_code.hpp"
+#include "sim/database/board_stack.hpp"
 #include "sim/database/prepared_scene.hpp"
+#include "sim/database/ram_layout.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
-/// A board that writes a line of pixels at once keeps them, a long word each, until then.
-std::int64_t line_buffer_bytes(const Machine& machine) {
-  return models::keeps_line(machine.parameters.board.pixel_write)
-             ? std::int64_t{machine.parameters.frame_memory.width} * 4
-             : 0;
+/// Places of one use that follow one another make one row.
+std::vector<MemoryUse> uses_of(const RamLayout& layout) {
+  std::vector<MemoryUse> uses;
+  for (const RamPlace& place : layout.places) {
+    if (uses.empty() || uses.back().name != place.use) {
+      uses.push_back({std::string{place.use}, place.address, 0});
+    }
+    uses.back().bytes += place.bytes;
+  }
+  return uses;
 }
 
 void refuse_above(const SourcePosition& position, std::int64_t needed, std::int64_t available,
@@ -30,34 +34,23 @@ void refuse_above(const SourcePosition& position, std::int64_t needed, std::int6
 
 }  // namespace
 
-template <class Real>
-MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_height,
+MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_height,
                         const Machine& machine) {
-  const BoardCode code = board_code_of(database.needs);
+  firmware::BoardTask<float> task{};
+  task.frame.database = database;
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
+  const BoardPieces pieces = needed_pieces(program_code(numbers), database.needs);
+  const RamLayout layout = ram_layout(task, pieces, board_room(machine));
   MemoryMap map;
+  map.uses = uses_of(layout);
+  map.used_bytes = layout.used_bytes;
   map.ram_bytes = machine.parameters.board.ram_bytes;
-  const bool is_shared = models::is_shared(machine.parameters.board.database);
-  map.database_bytes = is_shared ? 0 : firmware::database_bytes(database);
-  map.left_out_bytes = code.left_out_bytes;
+  map.loaded_bytes =
+      layout.loaded_end -
+      (machine.parameters.host.loads_code ? machine.system_bytes : layout.first_loaded_data);
   map.crossings_needed = crossing_needs_of(database).space;
   map.rays_needed = firmware::pending_rays_needed(database.ray_depth, database.needs.transparency);
-  map.stack_needed_bytes = board_stack_bytes(tree_height, database.needs);
-  map.uses = {{"system", machine.system_bytes},
-              {"firmware code", code.needed_bytes},
-              {"arithmetic package", machine.parameters.board.arithmetic.package_bytes},
-              {"database", map.database_bytes},
-              {"preprocessed data", firmware::prepared_bytes(database)},
-              {"crossings", machine.crossing_capacity * firmware::k_crossing_bytes},
-              {"waiting rays", machine.ray_capacity * firmware::k_pending_ray_bytes},
-              {"line of pixels", line_buffer_bytes(machine)},
-              {"stack", machine.stack_bytes}};
-  for (const MemoryUse& use : map.uses) {
-    map.used_bytes += use.bytes;
-  }
-  map.loaded_bytes = map.database_bytes;
-  if (machine.parameters.host.loads_code) {
-    map.loaded_bytes += code.needed_bytes + machine.parameters.board.arithmetic.package_bytes;
-  }
+  map.stack_needed_bytes = board_stack_bytes(pieces, tree_height);
   return map;
 }
 
@@ -76,10 +69,5 @@ void check_memory(const MemoryMap& map, const Machine& machine, const SourcePosi
                               map.used_bytes, map.used_bytes - map.ram_bytes, map.ram_bytes));
   }
 }
-
-template MemoryMap memory_map_of<float>(const firmware::Database<float>& database, int tree_height,
-                                        const Machine& machine);
-template MemoryMap memory_map_of<firmware::Counted>(
-    const firmware::Database<firmware::Counted>& database, int tree_height, const Machine& machine);
 
 }  // namespace maquette::sim

@@ -13,17 +13,16 @@ namespace maquette::sim {
 /// One use of a board's RAM.
 struct MemoryUse {
   std::string name;
+  std::int64_t address;
   std::int64_t bytes;
 };
 
 /// What a board's RAM holds for a scene.
 struct MemoryMap {
-  std::vector<MemoryUse> uses;  ///< from the bottom of RAM up
+  std::vector<MemoryUse> uses;  ///< from the bottom of RAM up, the stack at its top
   std::int64_t used_bytes = 0;
   std::int64_t ram_bytes = 0;
-  std::int64_t loaded_bytes = 0;    ///< of these, what the host loads: code and database
-  std::int64_t database_bytes = 0;  ///< of these; none of a shared database
-  std::int64_t left_out_bytes = 0;  ///< of code that the scene does not need
+  std::int64_t loaded_bytes = 0;  ///< of these, what the host loads: program, database, task
   std::int64_t crossings_needed = 0;
   std::int64_t rays_needed = 0;
   std::int64_t stack_needed_bytes = 0;
@@ -31,9 +30,9 @@ struct MemoryMap {
   [[nodiscard]] bool fits() const { return used_bytes <= ram_bytes; }
 };
 
-/// Lays out a board's RAM.
-template <class Real>
-MemoryMap memory_map_of(const firmware::Database<Real>& database, int tree_height,
+/// The memory map of the boards of a machine that work at a scene. Assumption: what boards without
+/// a program of their own hold is as large as what those with FFP numbers do.
+MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_height,
                         const Machine& machine);
 
 /// Throws DescriptionError at `position`, with the figures, when a work area is too small for the

@@ -67,31 +67,47 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
   return needs;
 }
 
-std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
-  std::vector<NamedNeed> named;
-  for (const PrimitiveDescription* primitive : primitive_table()) {
-    named.push_back({std::string{primitive->name}, needs.primitives[named.size()]});
+namespace {
+
+/// Calls `visit(name, need)` for each need of `needs`.
+template <class Visit>
+void for_each_need(firmware::Needs& needs, Visit visit) {
+  for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {
+    visit(std::string{primitive_table()[kind]->name}, needs.primitives[kind]);
   }
-  named.insert(named.end(), {{"several spans", needs.several_spans},
-                             {"union", needs.unions},
-                             {"large union", needs.large_unions},
-                             {"intersection", needs.intersections},
-                             {"difference", needs.differences},
-                             {"diffuse reflection", needs.diffuse},
-                             {"specular reflection", needs.specular},
-                             {"dielectrics", needs.dielectrics},
-                             {"metals", needs.metals}});
+  visit("several spans", needs.several_spans);
+  visit("union", needs.unions);
+  visit("large union", needs.large_unions);
+  visit("intersection", needs.intersections);
+  visit("difference", needs.differences);
+  visit("diffuse reflection", needs.diffuse);
+  visit("specular reflection", needs.specular);
+  visit("dielectrics", needs.dielectrics);
+  visit("metals", needs.metals);
   for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
     const firmware::FacetDistribution& facets = firmware::k_facet_distributions.rows[kind];
-    named.push_back({std::string{facets.title} + " facets", needs.facets[kind]});
+    visit(std::string{facets.title} + " facets", needs.facets[kind]);
   }
-  named.insert(named.end(), {{"transparency", needs.transparency},
-                             {"absorption", needs.absorption},
-                             {"lights", needs.lights},
-                             {"shadows", needs.shadows},
-                             {"ambient light", needs.ambient},
-                             {"secondary rays", needs.reflections},
-                             {"depth of pixels", needs.depth}});
+  visit("transparency", needs.transparency);
+  visit("absorption", needs.absorption);
+  visit("lights", needs.lights);
+  visit("shadows", needs.shadows);
+  visit("ambient light", needs.ambient);
+  visit("secondary rays", needs.reflections);
+  visit("depth of pixels", needs.depth);
+}
+
+}  // namespace
+
+std::vector<NamedNeed> named_needs(const firmware::Needs& needs) {
+  std::vector<NamedNeed> named;
+  firmware::Needs with = needs;
+  for_each_need(with, [&](const std::string& name, bool& need) {
+    const bool is_needed = need;
+    need = true;
+    named.push_back({name, is_needed, with});
+    need = is_needed;
+  });
   return named;
 }
 

@@ -21,6 +21,7 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
 struct NamedNeed {
   std::string name;
   bool is_needed;
+  firmware::Needs with;  ///< all needs of the scene, and this one
 };
 
 /// All needs in the order of the firmware's declaration.

@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "firmware/memory_needs.hpp"
 #include "firmware/preprocess.hpp"
 #include "firmware/synthesize.hpp"
+#include "firmware/work_area.hpp"
 #include "sim/database/packed_scene.hpp"
 
 namespace maquette::sim {

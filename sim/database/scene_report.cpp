@@ -1,9 +1,11 @@
 #include "sim/database/scene_report.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "sim/database/board_code.hpp"
 #include "sim/database/memory_map.hpp"
 #include "sim/database/needs.hpp"
 #include "sim/database/packed_scene.hpp"
@@ -14,35 +16,50 @@ namespace maquette::sim {
 
 namespace {
 
-std::string joined_names(const std::vector<NamedNeed>& needs, bool needed) {
-  std::string text;
-  for (const NamedNeed& need : needs) {
-    if (need.is_needed == needed) {
-      text += (text.empty() ? "" : ", ") + need.name;
+std::string joined(const std::vector<std::string>& texts) {
+  return texts.empty() ? "nothing" : fmt::format("{}", fmt::join(texts, ", "));
+}
+
+/// What is needed, and what is left out with the code that it would add.
+std::string needs_list(const firmware::Needs& needs, const firmware::ProgramCode& code) {
+  const std::int64_t linked_bytes = code_bytes(needed_pieces(code, needs));
+  std::vector<std::string> needed;
+  std::vector<std::string> left_out;
+  for (const NamedNeed& need : named_needs(needs)) {
+    if (need.is_needed) {
+      needed.push_back(need.name);
+    } else {
+      const std::int64_t added = code_bytes(needed_pieces(code, need.with)) - linked_bytes;
+      left_out.push_back(fmt::format("{} ({})", need.name, added));
     }
   }
-  return text.empty() ? "nothing" : text;
+  return fmt::format(
+      "  needed: {}\n  left out: {}; in brackets the bytes of code that each alone would add, all "
+      "together save {}\n",
+      joined(needed), joined(left_out), code_bytes(all_pieces(code)) - linked_bytes);
+}
+
+std::string memory_row(std::int64_t address, std::int64_t bytes, const std::string& text) {
+  return fmt::format("  {:06X}  {:>8} bytes  {}\n", address, bytes, text);
 }
 
 std::string memory_table(const MemoryMap& map, const Machine& machine) {
   std::string text = "Memory of a board\n";
-  std::int64_t address = 0;
+  const MemoryUse& stack = map.uses.back();
   for (const MemoryUse& use : map.uses) {
-    if (use.bytes > 0) {
-      text += fmt::format("  {:06X}  {:>8} bytes  {}\n", address, use.bytes, use.name);
-    }
-    address += use.bytes;
+    text += use.bytes > 0 && &use != &stack ? memory_row(use.address, use.bytes, use.name) : "";
   }
   const std::int64_t free_bytes = map.ram_bytes - map.used_bytes;
-  text +=
-      free_bytes >= 0
-          ? fmt::format("  {:06X}  {:>8} bytes  free of {}\n", address, free_bytes, map.ram_bytes)
-          : fmt::format("          {:>8} bytes  too much for {}\n", -free_bytes, map.ram_bytes);
+  text += free_bytes >= 0
+              ? memory_row(stack.address - free_bytes, free_bytes,
+                           fmt::format("free of {}", map.ram_bytes))
+              : fmt::format("          {:>8} bytes  too much for {}\n", -free_bytes, map.ram_bytes);
+  text += memory_row(stack.address, stack.bytes, stack.name);
   text += fmt::format(
-      "  needed of the work areas: {} of {} crossings, {} of {} waiting rays, {} of "
-      "{} bytes of stack\n",
-      map.crossings_needed, machine.crossing_capacity, map.rays_needed, machine.ray_capacity,
-      map.stack_needed_bytes, machine.stack_bytes);
+      "  the host loads {} bytes; needed of the work areas: {} of {} crossings, {} of {} waiting "
+      "rays, {} of {} bytes of stack\n",
+      map.loaded_bytes, map.crossings_needed, machine.crossing_capacity, map.rays_needed,
+      machine.ray_capacity, map.stack_needed_bytes, machine.stack_bytes);
   return text;
 }
 
@@ -105,15 +122,13 @@ std::string cost_table(const Machine& machine) {
 std::string scene_report(const Scene& scene, const Machine& machine) {
   const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));
   const firmware::Database<float> database = packed.database();
+  const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   const MemoryMap map = memory_map_of(database, packed.tree_height, machine);
-  const std::vector<NamedNeed> needs = named_needs(database.needs);
   std::string text = fmt::format("Scene {}\n", scene.name);
   text += fmt::format("  {} primitives, {} composites, {} surfaces, {} lights; a tree {} high\n",
                       database.leaf_count, database.composite_count, database.surface_count,
                       database.light_count, packed.tree_height);
-  text += fmt::format("  needed: {}\n", joined_names(needs, true));
-  text += fmt::format("  left out: {}, which saves {} bytes of code\n", joined_names(needs, false),
-                      map.left_out_bytes);
+  text += needs_list(database.needs, program_code(numbers));
   text += "\n" + memory_table(map, machine);
   text += "\nParameters of the scene\n" + parameter_table(list_parameters(scene));
   return text;

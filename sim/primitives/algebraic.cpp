@@ -10,7 +10,7 @@
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/primitive_description.hpp"
-#include "sim/primitives/shared_code.hpp"
+#include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -106,13 +106,7 @@ void check_algebraic(const AlgebraicShape& shape, const YamlNode& node) {
   }
 }
 
-constexpr Call k_calls[] = {{"cross_spans"},
-                            {"algebraic::intersect"},
-                            {"roots_of"},
-                            {"real_roots::isolate", k_isolation_depth},
-                            {"real_roots::add_isolated"},
-                            {"real_roots::add_between_ends"},
-                            {"laguerre::refined"}};
+constexpr Recursion k_recursions[] = {k_root_isolation};
 
 }  // namespace
 
@@ -150,8 +144,7 @@ template <>
 const PrimitiveDescription& description_of<firmware::algebraic::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
     PrimitiveDescription algebraic = described<AlgebraicShape, check_algebraic>("algebraic");
-    algebraic.shared_code = {k_root_code};
-    algebraic.call_chain = k_calls;
+    algebraic.recursions = k_recursions;
     return algebraic;
   }();
   return k_description;

@@ -4,27 +4,21 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "firmware/board_functions.hpp"
+#include "firmware/board_code_ffp.hpp"
 
 /// Names of functions of a board's program, which are looked up when this program is built: a name
-/// that the board's program has not does not compile.
+/// that the program with FFP numbers has not does not compile.
 namespace maquette::sim {
-
-/// Whether `name` is a function, or where it ends with a colon a namespace, that has `function`.
-constexpr bool holds(std::string_view name, std::string_view function) {
-  const bool is_namespace = name.back() == ':';
-  return is_namespace ? function.substr(0, name.size()) == name : function == name;
-}
 
 /// Whether a function stands in a namespace, which is given without colons.
 constexpr bool is_in_namespace(std::string_view function, std::string_view name) {
   return function.substr(0, name.size()) == name && function.substr(name.size(), 2) == "::";
 }
 
-/// Whether the board's program has what is named: a function, or functions of a namespace.
+/// Whether the board's program has a function or a table of this name.
 constexpr bool has_code(std::string_view name) {
-  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-    if (holds(name, function.name)) {
+  for (const firmware::CodePiece& piece : firmware::board_code_ffp::k_pieces) {
+    if (name == piece.name) {
       return true;
     }
   }
@@ -33,15 +27,15 @@ constexpr bool has_code(std::string_view name) {
 
 /// Whether the board's program has functions in a namespace.
 constexpr bool has_namespace(std::string_view name) {
-  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-    if (is_in_namespace(function.name, name)) {
+  for (const firmware::CodePiece& piece : firmware::board_code_ffp::k_pieces) {
+    if (is_in_namespace(piece.name, name)) {
       return true;
     }
   }
   return false;
 }
 
-/// A function, or all functions of a namespace, e.g. `real_roots::`.
+/// A function of the board's program, all its instances.
 struct CodeName {
   std::string_view name;
 
@@ -53,42 +47,23 @@ struct CodeName {
   }
 };
 
-/// The function of the board's program with this name; to be evaluated while compiling.
-constexpr const firmware::BoardFunction* board_function(std::string_view name) {
-  for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-    if (function.name == name) {
-      return &function;
-    }
-  }
-  throw std::invalid_argument("the program of a board has no such function");
-}
-
-/// A function on a chain of calls and how often it may stand there.
-struct Call {
-  const firmware::BoardFunction* function;
-  int times;
-
-  /// To be evaluated while compiling.
-  constexpr Call(std::string_view name, int count = 1)
-      : function(board_function(name)), times(count) {}
+/// A function that calls itself, and how often it may stand on the stack at once.
+struct Recursion {
+  CodeName function;
+  int depth;
 };
 
 /// What stands in an array of its own; none when empty.
-template <class Item>
-struct ItemList {
-  const Item* first = nullptr;
+struct RecursionList {
+  const Recursion* first = nullptr;
   std::size_t count = 0;
 
-  constexpr ItemList() = default;
+  constexpr RecursionList() = default;
   template <std::size_t size>
-  constexpr ItemList(const Item (&items)[size]) : first(items), count(size) {}
+  constexpr RecursionList(const Recursion (&items)[size]) : first(items), count(size) {}
 
-  [[nodiscard]] const Item* begin() const { return first; }
-  [[nodiscard]] const Item* end() const { return first + count; }
+  [[nodiscard]] const Recursion* begin() const { return first; }
+  [[nodiscard]] const Recursion* end() const { return first + count; }
 };
-
-using CodeList = ItemList<CodeName>;
-/// Outermost call first.
-using CallChain = ItemList<Call>;
 
 }  // namespace maquette::sim

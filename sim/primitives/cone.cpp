@@ -16,17 +16,6 @@ void declare(Visitor& visitor, ConeShape& shape) {
   visitor.field(required("height", "along z"), shape.height, k_length);
 }
 
-namespace {
-
-/// The deepest of the convex primitives.
-constexpr Call k_calls[] = {{"cross_convex"},
-                            {"cone::intersect"},
-                            {"hits_of"},
-                            {"transform_point"},
-                            {"transform_direction"}};
-
-}  // namespace
-
 LocalFrame frame_of(const ConeShape& shape) {
   // The canonical cone has its apex at the origin and its base, of radius 1, at z = 1.
   const double wide = std::max(shape.radius, shape.top_radius);
@@ -48,7 +37,6 @@ const PrimitiveDescription& description_of<firmware::cone::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
     PrimitiveDescription cone = described<ConeShape>("cone");
     cone.own_turns = OwnTurns::all;
-    cone.call_chain = k_calls;
     return cone;
   }();
   return k_description;

@@ -11,7 +11,6 @@
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/patch_nets.hpp"
 #include "sim/primitives/primitive_description.hpp"
-#include "sim/primitives/shared_code.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -225,15 +224,9 @@ std::string_view why_sheets_are_opaque(const PatchesShape& shape) {
                        "`solid: true` is allowed";
 }
 
-constexpr Call k_calls[] = {
-    {"cross_spans"},
-    {"patches::intersect"},
+constexpr Recursion k_recursions[] = {
     {"patches::intersect_node", firmware::patches::k_tree_height + 1},
-    {"patches::intersect_patch"},
     {"patches::isolate", firmware::patches::k_cell_bisection_limit<float> + 1},
-    {"patches::is_undecided"},
-    {"patches::winding_of"},
-    {"patches::edge_crossings"},
     {"patches::crossings_of", firmware::patches::k_edge_bisection_limit<float> + 1}};
 
 /// The patches with u and v exchanged: their normals point the other way.
@@ -291,8 +284,7 @@ const PrimitiveDescription& description_of<firmware::patches::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
     PrimitiveDescription patches =
         described<PatchesShape, check_patches, why_sheets_are_opaque>("patches");
-    patches.shared_code = {k_hit_order_code};
-    patches.call_chain = k_calls;
+    patches.recursions = k_recursions;
     return patches;
   }();
   return k_description;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <any>
-#include <array>
 #include <stdexcept>
 #include <string_view>
 
@@ -29,11 +28,8 @@ struct PrimitiveDescription {
   OwnTurns own_turns = OwnTurns::none;
   /// Which of its parameters takes the tolerance of the roots that give a ray's hits, in ulps.
   int root_tolerance = k_no_tolerance;
-  /// Code outside of its namespace in the board's program that not every scene needs.
-  std::array<CodeList, 3> shared_code{};
-  /// The deepest chain of calls below a leaf, for the stack; none: no deeper than every scene has
-  /// room for.
-  CallChain call_chain{};
+  /// Its functions that call themselves, for the stack.
+  RecursionList recursions{};
 
   static constexpr int k_no_tolerance = -1;
 };

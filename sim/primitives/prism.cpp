@@ -7,7 +7,7 @@
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/primitive_description.hpp"
 #include "sim/primitives/prism_edges.hpp"
-#include "sim/primitives/shared_code.hpp"
+#include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -116,14 +116,8 @@ void check_prism(const PrismShape& shape, const YamlNode& node) {
   }
 }
 
-constexpr Call k_calls[] = {{"cross_spans"},
-                            {"prism::intersect"},
-                            {"prism::cross_outline"},
-                            {"prism::cross_node", firmware::prism::k_tree_height + 1},
-                            {"real_roots::isolate", k_isolation_depth},
-                            {"real_roots::add_isolated"},
-                            {"real_roots::add_between_ends"},
-                            {"laguerre::refined"}};
+constexpr Recursion k_recursions[] = {{"prism::cross_node", firmware::prism::k_tree_height + 1},
+                                      k_root_isolation};
 
 }  // namespace
 
@@ -152,8 +146,7 @@ template <>
 const PrimitiveDescription& description_of<firmware::prism::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
     PrimitiveDescription prism = described<PrismShape, check_prism>("prism");
-    prism.shared_code = {k_root_code, k_plane_cubic_code, k_hit_order_code};
-    prism.call_chain = k_calls;
+    prism.recursions = k_recursions;
     return prism;
   }();
   return k_description;

@@ -10,7 +10,7 @@
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/generatrix_curve.hpp"
 #include "sim/primitives/primitive_description.hpp"
-#include "sim/primitives/shared_code.hpp"
+#include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/name_check.hpp"
 
@@ -120,14 +120,8 @@ void check_revolution(const RevolutionShape& shape, const YamlNode& node) {
   }
 }
 
-constexpr Call k_calls[] = {{"cross_spans"},
-                            {"revolution::intersect"},
-                            {"revolution::intersect_node", firmware::revolution::k_tree_height + 1},
-                            {"revolution::intersect_section"},
-                            {"real_roots::isolate", k_isolation_depth},
-                            {"real_roots::add_isolated"},
-                            {"real_roots::add_between_ends"},
-                            {"laguerre::refined"}};
+constexpr Recursion k_recursions[] = {
+    {"revolution::intersect_node", firmware::revolution::k_tree_height + 1}, k_root_isolation};
 
 }  // namespace
 
@@ -162,8 +156,7 @@ const PrimitiveDescription& description_of<firmware::revolution::Kind>() {
     PrimitiveDescription revolution = described<RevolutionShape, check_revolution>("revolution");
     revolution.own_turns = OwnTurns::all;
     revolution.root_tolerance = firmware::revolution::k_root_tolerance;
-    revolution.shared_code = {k_root_code, k_plane_cubic_code, k_hit_order_code};
-    revolution.call_chain = k_calls;
+    revolution.recursions = k_recursions;
     return revolution;
   }();
   return k_description;

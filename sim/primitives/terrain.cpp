@@ -59,10 +59,8 @@ void check_terrain(const TerrainShape& shape, const YamlNode& node) {
   }
 }
 
-constexpr Call k_calls[] = {
-    {"cross_spans"},          {"terrain::intersect"},
-    {"terrain::follow_half"}, {"terrain::follow_over", firmware::terrain::k_level_limit + 1},
-    {"terrain::midpoints"},   {"terrain::midpoint"}};
+constexpr Recursion k_recursions[] = {
+    {"terrain::follow_over", firmware::terrain::k_level_limit + 1}};
 
 }  // namespace
 
@@ -88,7 +86,7 @@ template <>
 const PrimitiveDescription& description_of<firmware::terrain::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
     PrimitiveDescription terrain = described<TerrainShape, check_terrain>("terrain");
-    terrain.call_chain = k_calls;
+    terrain.recursions = k_recursions;
     return terrain;
   }();
   return k_description;

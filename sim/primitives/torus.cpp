@@ -2,7 +2,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
-#include "sim/primitives/shared_code.hpp"
+#include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -27,14 +27,7 @@ void check_radii(const TorusShape& shape, const YamlNode& node) {
   }
 }
 
-constexpr Call k_calls[] = {{"cross_spans"},
-                            {"torus::intersect"},
-                            {"torus::hits_of_chord"},
-                            {"roots_of"},
-                            {"real_roots::isolate", k_isolation_depth},
-                            {"real_roots::add_isolated"},
-                            {"real_roots::add_between_ends"},
-                            {"laguerre::refined"}};
+constexpr Recursion k_recursions[] = {k_root_isolation};
 
 }  // namespace
 
@@ -51,8 +44,7 @@ const PrimitiveDescription& description_of<firmware::torus::Kind>() {
     PrimitiveDescription torus = described<TorusShape, check_radii>("torus");
     torus.own_turns = OwnTurns::all;
     torus.root_tolerance = firmware::torus::k_root_tolerance;
-    torus.shared_code = {k_root_code};
-    torus.call_chain = k_calls;
+    torus.recursions = k_recursions;
     return torus;
   }();
   return k_description;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "firmware_version.hpp"
-#include "sim/database/database_image.hpp"
+#include "sim/database/board_image.hpp"
 #include "sim/report/digest.hpp"
 
 namespace maquette::sim {
@@ -14,8 +14,29 @@ std::string RecordKey::name() const {
   return sha1_of(all.data(), all.size());
 }
 
+namespace {
+
+/// A scene as memory holds it; where its arrays are is no matter.
+std::vector<unsigned char> scene_image(const firmware::Database<float>& database) {
+  constexpr auto k_format = firmware::NumberFormat::ieee_single;
+  std::vector<unsigned char> image = database_image(database, k_format);
+  firmware::Database<float> header = database;
+  header.leaves = nullptr;
+  header.composites = nullptr;
+  header.parameters = nullptr;
+  header.surfaces = nullptr;
+  header.lights = nullptr;
+  const std::size_t arrays = image.size();
+  image.resize(arrays +
+               static_cast<std::size_t>(firmware::board_bytes<firmware::Database<float>>()));
+  BoardWriter(image, k_format).write(static_cast<std::uint32_t>(arrays), &header, 1);
+  return image;
+}
+
+}  // namespace
+
 RecordKey record_key_of(const firmware::Database<float>& database) {
-  const std::vector<unsigned char> image = database_image(database);
+  const std::vector<unsigned char> image = scene_image(database);
   return {sha1_of(image.data(), image.size()),
           firmware::k_firmware_version,
           {database.observer.columns, database.observer.rows, database.needs.depth}};

@@ -1,12 +1,9 @@
 #include "sim/run/board_programs.hpp"
 
-#include <stdexcept>
-
 #include "sim/database/board_image.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/board_start.hpp"
 #include "sim/run/execution_check.hpp"
-#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -18,48 +15,57 @@ std::vector<unsigned char> part(const std::vector<unsigned char>& ram, std::size
           ram.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-/// What of an image the host loads, and what is in the RAM without: a program that is not loaded,
-/// and the stack.
-void add_board(const BoardImage& image, bool loads_code, models::ProgramSetup& program,
-               models::FrameSetup& setup) {
-  const std::uint32_t first = loads_code ? image.program.base : image.database;
-  setup.image_address = first;
-  setup.images.push_back(part(image.ram, first, image.loaded_end));
-  program.resident.push_back({{image.program.base, part(image.ram, image.program.base, first)},
-                              {image.stack, part(image.ram, image.stack, image.ram.size())}});
+/// Where an image begins that the host loads.
+std::uint32_t loaded_from(const BoardImage& image, const Machine& machine) {
+  return machine.parameters.host.loads_code ? image.program.base : image.database;
 }
 
-models::ProgramSetup programs_of(const PackedScene<float>& packed, const Machine& machine,
-                                 models::FrameSetup& setup) {
+/// Makes the image of each board, and shows it to `take`.
+template <class Take>
+void make_images(const PackedScene<float>& packed, const Machine& machine,
+                 models::FrameSetup& setup, Take take) {
   const PreparedScene<float> scene(packed);
   SynthesisArea<float> area(scene.frame().database);
-  firmware::BoardOrder order = board_order(machine, setup);
   const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
-  models::ProgramSetup program;
+  if (models::is_shared(machine.parameters.board.database)) {
+    setup.shared_database = database_image(scene.frame().database, numbers);
+  }
+  const BoardRoom room = board_room(machine, shared_database_address(machine));
+  firmware::BoardOrder order = board_order(machine, setup);
   for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
     order.first_unit = static_cast<std::uint32_t>(board);
-    const BoardImage image =
-        board_image(numbers, scene.frame(), area.view(), order, board_room(machine));
-    add_board(image, machine.parameters.host.loads_code, program, setup);
-    program.entry = program_entry(image);
-    program.host_routines = host_routines(machine, image);
+    const BoardImage image = board_image(numbers, scene.frame(), area.view(), order, room);
+    setup.image_address = loaded_from(image, machine);
+    setup.images.push_back(part(image.ram, setup.image_address, image.loaded_end));
+    take(image);
   }
-  return program;
+}
+
+/// What is in a board's RAM without being loaded: a program that is not loaded, and the stack.
+std::vector<models::RamPart> resident_parts(const BoardImage& image, const Machine& machine) {
+  const std::uint32_t loaded = loaded_from(image, machine);
+  return {{image.program.base, part(image.ram, image.program.base, loaded)},
+          {image.stack, part(image.ram, image.stack, image.ram.size())}};
 }
 
 }  // namespace
 
+void set_images(const PackedScene<float>& packed, const Machine& machine,
+                models::FrameSetup& setup) {
+  make_images(packed, machine, setup, [](const BoardImage& /*image*/) {});
+}
+
 void set_programs(const PackedScene<float>& packed, const Machine& machine, int threads,
                   models::FrameSetup& setup) {
   require_execution(machine);
-  setup.images.clear();
-  try {
-    setup.program = programs_of(packed, machine, setup);
-  } catch (const std::out_of_range& error) {
-    throw DescriptionError(std::string("the boards can not execute their program: ") +
-                           error.what() + "; raise board.ram");
-  }
-  setup.program->threads = threads;
+  models::ProgramSetup program;
+  make_images(packed, machine, setup, [&](const BoardImage& image) {
+    program.resident.push_back(resident_parts(image, machine));
+    program.entry = program_entry(image);
+    program.host_routines = host_routines(machine, image);
+  });
+  program.threads = threads;
+  setup.program = std::move(program);
 }
 
 }  // namespace maquette::sim

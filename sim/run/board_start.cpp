@@ -42,6 +42,11 @@ void set_units(const Machine& machine, int zone_width, firmware::BoardOrder& ord
 
 }  // namespace
 
+std::uint32_t shared_database_address(const Machine& machine) {
+  return static_cast<std::uint32_t>(
+      models::machine_addresses(machine.parameters, 0).shared.database());
+}
+
 firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetup& setup) {
   const models::MachineParameters& parameters = machine.parameters;
   const models::MachineAddresses addresses =
@@ -56,18 +61,6 @@ firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetu
   set_units(machine, setup.useful_zone.width, order);
   set_components(parameters.frame_memory, order);
   return order;
-}
-
-BoardRoom board_room(const Machine& machine) {
-  const models::Kvm02Parameters& board = machine.parameters.board;
-  const bool keeps_line = models::keeps_line(board.pixel_write);
-  return {static_cast<std::uint32_t>(board.ram_bytes),
-          static_cast<std::uint32_t>(machine.system_bytes),
-          static_cast<std::uint32_t>(machine.crossing_capacity),
-          static_cast<std::uint32_t>(machine.ray_capacity),
-          keeps_line ? static_cast<std::uint32_t>(machine.parameters.frame_memory.width) : 0,
-          static_cast<std::uint32_t>(machine.stack_bytes),
-          static_cast<std::uint32_t>(board.arithmetic.package_bytes)};
 }
 
 models::ProgramEntry program_entry(const BoardImage& image) {

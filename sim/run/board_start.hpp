@@ -8,12 +8,12 @@
 
 namespace maquette::sim {
 
+/// Where the boards of a machine read the arrays of a scene that they share.
+[[nodiscard]] std::uint32_t shared_database_address(const Machine& machine);
+
 /// What board 0 of a machine is told; the others differ in their first unit.
 [[nodiscard]] firmware::BoardOrder board_order(const Machine& machine,
                                                const models::FrameSetup& setup);
-
-/// What the RAM of its boards has room for.
-[[nodiscard]] BoardRoom board_room(const Machine& machine);
 
 /// Where the program of an image begins.
 [[nodiscard]] models::ProgramEntry program_entry(const BoardImage& image);

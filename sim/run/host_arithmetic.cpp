@@ -93,7 +93,7 @@ void add_conversions(std::uint32_t at, const firmware::ArithmeticPackage& packag
                }));
 }
 
-/// Where the firmware's elementary functions are in a board's RAM.
+/// Where the firmware's elementary functions are in a board's RAM; 0 where a scene does without.
 struct ElementaryAddresses {
   std::uint32_t exponential;
   std::uint32_t power;
@@ -122,17 +122,17 @@ auto compiled(Operation operation, firmware::Work& work, Compute compute) {
 
 template <class Format>
 void add_elementary(const ElementaryAddresses& at, NativeCalls& routines, firmware::Work& work) {
-  routines.add(at.exponential,
-               compiled<Format>(Operation::exponential, work, [](const auto& argument) {
-                 return firmware::exponential(argument(1));
-               }));
-  routines.add(at.power, compiled<Format>(Operation::power, work, [](const auto& argument) {
-                 return firmware::power(argument(1), argument(2));
-               }));
-  routines.add(at.arc_cosine,
-               compiled<Format>(Operation::arc_cosine, work, [](const auto& argument) {
-                 return firmware::arc_cosine(argument(1));
-               }));
+  const auto add = [&](std::uint32_t address, Operation operation, auto compute) {
+    if (address != 0) {
+      routines.add(address, compiled<Format>(operation, work, compute));
+    }
+  };
+  add(at.exponential, Operation::exponential,
+      [](const auto& argument) { return firmware::exponential(argument(1)); });
+  add(at.power, Operation::power,
+      [](const auto& argument) { return firmware::power(argument(1), argument(2)); });
+  add(at.arc_cosine, Operation::arc_cosine,
+      [](const auto& argument) { return firmware::arc_cosine(argument(1)); });
 }
 
 template <class Format>

@@ -13,7 +13,6 @@
 #include "models/display/video_reader.hpp"
 #include "models/machine/ccett_machine.hpp"
 #include "models/machine/unique_names.hpp"
-#include "sim/database/database_image.hpp"
 #include "sim/database/memory_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
@@ -29,19 +28,6 @@ namespace {
 
 /// At least so long between two looks at the host: progress, interruption.
 constexpr models::Duration k_slice = std::chrono::seconds(1);
-
-/// Gives the host what it writes: the database into every board or where they share it, and code of
-/// the right size. The code's bytes stay zero, because the native firmware runs in its place.
-void set_images(const PackedScene<float>& packed, const Machine& machine, const MemoryMap& map,
-                models::FrameSetup& setup) {
-  std::vector<unsigned char> image = database_image(packed.database());
-  if (models::is_shared(machine.parameters.board.database)) {
-    setup.shared_database = std::move(image);
-    image = {};
-  }
-  image.resize(static_cast<std::size_t>(map.loaded_bytes));
-  setup.images.assign(machine.parameters.boards.size(), image);
-}
 
 /// Share of the pixels that the boards have taken, 0 to 1.
 double fraction_taken(const models::CcettMachine& model, const models::PixelRectangle& zone) {
@@ -205,7 +191,7 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   if (request.executed) {
     set_programs(packed, roomy, request.threads, setup);
   } else {
-    set_images(packed, machine, map, setup);
+    set_images(packed, roomy, setup);
   }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   require_transfer_time(priced, setup);

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <vector>
 
-#include "firmware/memory_needs.hpp"
 #include "firmware/preprocess.hpp"
 #include "firmware/synthesize.hpp"
+#include "firmware/work_area.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Frames by hand: primitives, operators and surfaces in double precision, rounded once to the

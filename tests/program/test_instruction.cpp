@@ -56,6 +56,18 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
   }
 }
 
+TEST_CASE("the host loads the same, whether boards execute their program or are counted") {
+  const ScratchDirectory scratch;
+  for (const std::string options :
+       {"", "--set board.arithmetic=maquette_ffp", "--set host.loads_code=false"}) {
+    INFO(options);
+    const auto counted = statistics(run(scratch, "counted", options));
+    const auto executed =
+        statistics(run(scratch, "executed", "--processor instruction " + options));
+    CHECK(counted["frame"]["load_s"] == executed["frame"]["load_s"]);
+  }
+}
+
 TEST_CASE("an executed frame is the same bytes from any number of host threads") {
   const ScratchDirectory scratch;
   const std::string claims = "--processor instruction --set allotment.assignment=on_demand ";

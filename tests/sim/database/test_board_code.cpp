@@ -1,98 +1,157 @@
 #include "sim/database/board_code.hpp"
 
 #include <algorithm>
-#include "firmware/facets/facet_table.hpp"
+#include <iterator>
+#include <string>
+#include <vector>
 
+#include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
+#include "tests/firmware/random_cases.hpp"
+#include "tests/sim/database/needs_cases.hpp"
 
 using namespace maquette;
+using tests::all_needs;
 
 namespace {
 
-firmware::Needs all_needs() {
+using Names = std::vector<std::string>;
+
+constexpr firmware::NumberFormat k_formats[] = {firmware::NumberFormat::ffp,
+                                                firmware::NumberFormat::ieee_single};
+
+const firmware::ProgramCode& k_code = sim::program_code(firmware::NumberFormat::ffp);
+
+Names left_out(const sim::BoardPieces& pieces) {
+  Names names;
+  for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+    if (pieces.bytes[i] == 0) {
+      names.emplace_back(pieces.code->pieces[i].name);
+    }
+  }
+  return names;
+}
+
+/// Bytes of a namespace.
+std::int64_t bytes_in(const sim::BoardPieces& pieces, std::string_view name) {
+  std::int64_t bytes = 0;
+  for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+    bytes += sim::is_in_namespace(pieces.code->pieces[i].name, name) ? pieces.bytes[i] : 0;
+  }
+  return bytes;
+}
+
+/// Each need of a scene or not, by chance.
+firmware::Needs random_needs(firmware::trial::Random& random) {
   firmware::Needs needs{};
-  for (bool& primitive : needs.primitives) {
-    primitive = true;
+  const std::size_t count = sim::named_needs(needs).size();
+  for (std::size_t i = 0; i < count; ++i) {
+    needs = random.below(2) == 0 ? needs : sim::named_needs(needs)[i].with;
   }
-  for (bool& distribution : needs.facets) {
-    distribution = true;
-  }
-  needs.several_spans = true;
-  needs.unions = needs.large_unions = needs.intersections = needs.differences = true;
-  needs.diffuse = needs.specular = needs.dielectrics = needs.metals = true;
-  needs.transparency = needs.absorption = needs.lights = needs.shadows = true;
-  needs.ambient = needs.reflections = needs.depth = true;
   return needs;
 }
 
-}  // namespace
-
-TEST_CASE("A scene that needs everything leaves no code out") {
-  CHECK(sim::board_code_of(all_needs()).left_out_bytes == 0);
+TEST_CASE("a scene that needs everything leaves out integer routines alone that nobody calls") {
+  const Names routines = {"__mulsi3", "__udivsi3", "divide", "__umodsi3",
+                          "__divsi3", "__modsi3",  "memset"};
+  for (const firmware::NumberFormat numbers : k_formats) {
+    CHECK(sim::program_code(numbers).numbers == numbers);
+    for (const std::string& name :
+         left_out(sim::needed_pieces(sim::program_code(numbers), all_needs()))) {
+      INFO(name);
+      CHECK(std::count(routines.begin(), routines.end(), name) == 1);
+    }
+  }
 }
 
-TEST_CASE("Needed and left out code make up the whole program") {
-  const sim::BoardCode all = sim::board_code_of(all_needs());
-  const sim::BoardCode none = sim::board_code_of(firmware::Needs{});
-  CHECK(none.needed_bytes > 0);
-  CHECK(none.needed_bytes + none.left_out_bytes == all.needed_bytes);
+TEST_CASE("the beginning of the program and what it always calls is in every board") {
+  const Names names = left_out(sim::needed_pieces(k_code, firmware::Needs{}));
+  for (const std::string name : {"board_program", "board_synthesis", "follow", "cross"}) {
+    CHECK(std::count(names.begin(), names.end(), name) == 0);
+  }
 }
 
-TEST_CASE("Every primitive and facet distribution can be left out on its own") {
+TEST_CASE("a need takes nothing away, and a piece is there whole") {
+  firmware::trial::Random random(515);
+  const sim::BoardPieces all = sim::all_pieces(k_code);
+  for (int trial = 0; trial < 50; ++trial) {
+    const firmware::Needs needs = random_needs(random);
+    const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs);
+    for (const sim::NamedNeed& need : sim::named_needs(needs)) {
+      INFO(need.name);
+      const sim::BoardPieces more = sim::needed_pieces(k_code, need.with);
+      for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
+        REQUIRE(more.bytes[i] >= pieces.bytes[i]);
+        const bool is_table = std::string_view{"k_primitives"} == k_code.pieces[i].name;
+        REQUIRE((pieces.bytes[i] == 0 || pieces.bytes[i] == all.bytes[i] || is_table));
+      }
+    }
+  }
+}
+
+TEST_CASE("every need but ambient light makes a board hold more than no need at all") {
+  const firmware::Needs all = all_needs();
+  const auto whole = sim::code_bytes(sim::needed_pieces(k_code, all));
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
-    INFO("primitive " << kind);
-    firmware::Needs needs = all_needs();
+    INFO(sim::primitive_table()[static_cast<std::size_t>(kind)]->name);
+    firmware::Needs needs = all;
     needs.primitives[kind] = false;
-    CHECK(sim::board_code_of(needs).left_out_bytes > 0);
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
   for (int kind = 0; kind < firmware::k_facet_kind_count; ++kind) {
     INFO(firmware::k_facet_distributions.rows[kind].name);
-    firmware::Needs needs = all_needs();
+    firmware::Needs needs = all;
     needs.facets[kind] = false;
-    CHECK(sim::board_code_of(needs).left_out_bytes > 0);
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
+  }
+  using firmware::Needs;
+  for (bool Needs::*need :
+       {&Needs::several_spans, &Needs::unions, &Needs::large_unions, &Needs::intersections,
+        &Needs::diffuse, &Needs::specular, &Needs::dielectrics, &Needs::metals,
+        &Needs::transparency, &Needs::absorption, &Needs::lights, &Needs::shadows,
+        &Needs::reflections, &Needs::depth}) {
+    Needs needs = all;
+    needs.*need = false;
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
 }
 
-TEST_CASE("A primitive takes code only from the scenes that need it") {
-  const auto row =
-      sim::board_function("k_primitives")->code_bytes / firmware::k_primitive_kind_count;
-  const auto bare = sim::board_code_of(firmware::Needs{}).needed_bytes;
+TEST_CASE("a primitive takes code only from the scenes that need it") {
+  constexpr std::int64_t k_row_bytes = 18;  // four addresses and a flag
+  const sim::BoardPieces bare = sim::needed_pieces(k_code, firmware::Needs{});
+  const auto bare_bytes = sim::code_bytes(bare);
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
-    INFO("primitive " << kind);
-    const sim::PrimitiveDescription& primitive =
-        *sim::primitive_table()[static_cast<std::size_t>(kind)];
-    std::int64_t own = row * std::max(0, kind + 1 - sim::k_resident_primitives);
-    for (const firmware::BoardFunction& function : firmware::k_board_functions) {
-      const bool is_shared = std::any_of(
-          primitive.shared_code.begin(), primitive.shared_code.end(),
-          [&](const sim::CodeList& list) {
-            return std::any_of(list.begin(), list.end(), [&](const sim::CodeName& code) {
-              return sim::holds(code.name, function.name);
-            });
-          });
-      const bool is_own = sim::is_in_namespace(function.name, primitive.name);
-      own += is_own || is_shared ? function.code_bytes : 0;
-    }
+    const std::string_view name = sim::primitive_table()[static_cast<std::size_t>(kind)]->name;
+    INFO(name);
+    CHECK(bytes_in(bare, name) == 0);
     firmware::Needs needs{};
     needs.primitives[kind] = true;
-    CHECK(sim::board_code_of(needs).needed_bytes == bare + own);
+    const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs);
+    CHECK(bytes_in(pieces, name) == bytes_in(sim::all_pieces(k_code), name));
+    CHECK(sim::code_bytes(pieces) >=
+          bare_bytes + bytes_in(pieces, name) + k_row_bytes * (kind + 1));
   }
 }
 
-TEST_CASE("A higher tree takes more stack, the same for every level") {
-  const firmware::Needs needs{};
-  const auto step = sim::board_stack_bytes(1, needs) - sim::board_stack_bytes(0, needs);
-  CHECK(step > 0);
-  CHECK(sim::board_stack_bytes(10, needs) == sim::board_stack_bytes(0, needs) + 10 * step);
+TEST_CASE("code that several primitives share is there for each of them, and once for all") {
+  const auto bytes_of = [](std::initializer_list<firmware::PrimitiveKind> kinds) {
+    firmware::Needs needs{};
+    for (const firmware::PrimitiveKind kind : kinds) {
+      needs.primitives[static_cast<int>(kind)] = true;
+    }
+    return sim::needed_pieces(k_code, needs);
+  };
+  constexpr auto k_torus = firmware::kind_of<firmware::torus::Kind>;
+  constexpr auto k_algebraic = firmware::kind_of<firmware::algebraic::Kind>;
+  const sim::BoardPieces one = bytes_of({k_torus});
+  const sim::BoardPieces other = bytes_of({k_algebraic});
+  const sim::BoardPieces both = bytes_of({k_torus, k_algebraic});
+  CHECK(bytes_in(one, "laguerre") > 0);
+  CHECK(bytes_in(other, "laguerre") == bytes_in(one, "laguerre"));
+  CHECK(bytes_in(both, "laguerre") == bytes_in(one, "laguerre"));
+  CHECK(bytes_in(bytes_of({}), "laguerre") == 0);
 }
 
-TEST_CASE("Primitives with several spans take more stack than convex ones, only where needed") {
-  firmware::Needs needs{};
-  const auto convex = sim::board_stack_bytes(3, needs);
-  needs.primitives[static_cast<int>(firmware::kind_of<firmware::cone::Kind>)] = true;
-  CHECK(sim::board_stack_bytes(3, needs) == convex);
-  needs.primitives[static_cast<int>(firmware::kind_of<firmware::revolution::Kind>)] = true;
-  CHECK(sim::board_stack_bytes(3, needs) > convex + firmware::k_primitive_hit_limit * 6);
-}
+}  // namespace

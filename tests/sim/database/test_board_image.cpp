@@ -6,6 +6,7 @@
 #include <string>
 
 #include "models/board/mc68000/mc68000.hpp"
+#include "sim/database/board_stack.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/host_arithmetic.hpp"
 #include "sim/scene/description_loader.hpp"
@@ -17,6 +18,7 @@ using namespace maquette::models::mc68000;
 namespace {
 
 constexpr std::uint32_t k_frame_base = 0x800000;
+constexpr std::int32_t k_stack_bytes = 16384;
 
 /// A frame memory that remembers what was written, in words.
 class WrittenWords final : public ExternalBus {
@@ -64,6 +66,19 @@ firmware::BoardOrder whole_frame(int width) {
   return order;
 }
 
+constexpr unsigned char k_untouched = 0xA5;
+
+/// Paints the stack, so that it can be told how far down the program goes.
+void paint_stack(sim::BoardImage& image) {
+  std::fill(image.ram.end() - k_stack_bytes, image.ram.begin() + image.stack, k_untouched);
+}
+
+std::int64_t used_stack(const sim::BoardImage& image) {
+  const auto lowest = std::find_if(image.ram.end() - k_stack_bytes, image.ram.end(),
+                                   [](unsigned char byte) { return byte != k_untouched; });
+  return image.ram.begin() + image.stack - lowest;
+}
+
 /// The arithmetic of IEEE numbers is the host's.
 Stop run(sim::BoardImage& image, ExternalBus& bus) {
   NativeCalls routines;
@@ -86,11 +101,17 @@ void compare_with_firmware(const std::string& scene, firmware::NumberFormat numb
   sim::SynthesisArea<float> area(prepared.frame().database);
   sim::BoardImage image =
       sim::board_image(numbers, prepared.frame(), area.view(), whole_frame(format.width),
-                       {1U << 20U, 0x800, 1024, 32, 0, 16384, 0});
+                       {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, 0});
+  paint_stack(image);
   WrittenWords memory;
   const Stop stop = run(image, memory);
   INFO(name_of(stop.reason) << " at " << stop.instruction_address);
   REQUIRE(stop.reason == StopReason::stop_instruction);
+  CHECK(used_stack(image) > 0);
+  CHECK(used_stack(image) <=
+        sim::board_stack_bytes(
+            sim::needed_pieces(sim::program_code(numbers), prepared.frame().database.needs),
+            prepared.packed().tree_height));
 
   const firmware::Rectangle& zone = prepared.frame().prepared.useful_zone;
   std::int64_t pixels = 0;
@@ -120,7 +141,7 @@ void compare_all_scenes(firmware::NumberFormat numbers) {
   }
 }
 
-TEST_CASE("the program of a board has the firmware's pixels, bit for bit, in every scene") {
+TEST_CASE("the program of a board has the firmware's pixels, bit for bit, on the stack as told") {
   compare_all_scenes(firmware::NumberFormat::ffp);
 }
 
@@ -135,7 +156,8 @@ TEST_CASE("what does not fit into a board's RAM is refused") {
   sim::SynthesisArea<float> area(prepared.frame().database);
   const auto image_in = [&](std::uint32_t ram_bytes) {
     return sim::board_image(firmware::NumberFormat::ffp, prepared.frame(), area.view(),
-                            whole_frame(format.width), {ram_bytes, 0x800, 1024, 32, 0, 16384, 0});
+                            whole_frame(format.width),
+                            {ram_bytes, 0x800, 1024, 32, 0, k_stack_bytes, 0});
   };
   const sim::BoardImage image = image_in(1U << 20U);
   CHECK_THROWS_AS(image_in(image.loaded_end), std::out_of_range);
@@ -150,7 +172,7 @@ TEST_CASE("a larger arithmetic package than the program's has its room before th
   for (const std::uint32_t package_bytes : {1U, 100U, 6144U, 6145U}) {
     const sim::BoardImage image = sim::board_image(
         firmware::NumberFormat::ieee_single, prepared.frame(), area.view(),
-        whole_frame(format.width), {1U << 20U, 0x800, 1024, 32, 0, 16384, package_bytes});
+        whole_frame(format.width), {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, package_bytes});
     const std::uint32_t room = image.database - image.program.package;
     CHECK(room >= image.program.code->package.bytes.size());
     CHECK(room >= package_bytes);

@@ -1,7 +1,7 @@
 #include "sim/database/board_link.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <string_view>
 
 #include "tests/catch.hpp"
 
@@ -11,8 +11,6 @@ namespace {
 
 constexpr firmware::NumberFormat k_formats[] = {firmware::NumberFormat::ffp,
                                                 firmware::NumberFormat::ieee_single};
-
-bool always(const firmware::CodePiece& /*piece*/) { return true; }
 
 std::uint32_t long_at(const sim::LinkedProgram& program, std::uint32_t address) {
   std::uint32_t value = 0;
@@ -39,7 +37,7 @@ TEST_CASE("every address in the program of a board is that of what it names") {
   for (const firmware::NumberFormat numbers : k_formats) {
     const firmware::ProgramCode& code = sim::program_code(numbers);
     CHECK(code.numbers == numbers);
-    const sim::LinkedProgram program = sim::linked_program(code, 0x2000, always);
+    const sim::LinkedProgram program = sim::linked_program(0x2000, sim::all_pieces(code));
     for (std::size_t i = 0; i < code.pieces.size(); ++i) {
       const firmware::CodePiece& piece = code.pieces[i];
       for (std::uint32_t j = 0; j < piece.addresses; ++j) {
@@ -56,8 +54,8 @@ TEST_CASE("every address in the program of a board is that of what it names") {
 TEST_CASE("a program elsewhere differs in its addresses alone") {
   for (const firmware::NumberFormat numbers : k_formats) {
     const firmware::ProgramCode& code = sim::program_code(numbers);
-    const sim::LinkedProgram low = sim::linked_program(code, 0x2000, always);
-    const sim::LinkedProgram high = sim::linked_program(code, 0x5000, always);
+    const sim::LinkedProgram low = sim::linked_program(0x2000, sim::all_pieces(code));
+    const sim::LinkedProgram high = sim::linked_program(0x5000, sim::all_pieces(code));
     REQUIRE(low.bytes.size() == high.bytes.size());
     std::size_t different = 0;
     for (std::size_t i = 0; i < low.bytes.size(); ++i) {
@@ -70,16 +68,18 @@ TEST_CASE("a program elsewhere differs in its addresses alone") {
 
 TEST_CASE("what is left out takes no room, and who calls it comes to an odd address") {
   const std::string_view left_out = "follow";
-  const auto is_needed = [left_out](const firmware::CodePiece& piece) {
-    return piece.name != left_out;
-  };
   const firmware::ProgramCode& code = sim::program_code(firmware::NumberFormat::ffp);
-  const sim::LinkedProgram all = sim::linked_program(code, 0x2000, always);
-  const sim::LinkedProgram part = sim::linked_program(code, 0x2000, is_needed);
-  const auto* const piece = std::find_if_not(code.pieces.begin(), code.pieces.end(), is_needed);
+  const sim::LinkedProgram all = sim::linked_program(0x2000, sim::all_pieces(code));
+  const auto* const piece =
+      std::find_if(code.pieces.begin(), code.pieces.end(),
+                   [left_out](const auto& candidate) { return candidate.name == left_out; });
   REQUIRE(piece != code.pieces.end());
+  sim::BoardPieces pieces = sim::all_pieces(code);
+  pieces.bytes[static_cast<std::size_t>(piece - code.pieces.begin())] = 0;
+  const sim::LinkedProgram part = sim::linked_program(0x2000, pieces);
   CHECK(all.bytes.size() - part.bytes.size() == 2 * piece->words);
-  CHECK_THROWS_AS(address_of(part, left_out), std::out_of_range);
+  CHECK(address_of(all, left_out) != 0);
+  CHECK(address_of(part, left_out) == 0);
   int calls = 0;
   for (std::size_t i = 0; i < code.pieces.size(); ++i) {
     const firmware::CodePiece& caller = code.pieces[i];
@@ -92,6 +92,26 @@ TEST_CASE("what is left out takes no room, and who calls it comes to an odd addr
     }
   }
   CHECK(calls > 0);
+}
+
+TEST_CASE("of a piece that is there in part, only that part is linked") {
+  const firmware::ProgramCode& code = sim::program_code(firmware::NumberFormat::ffp);
+  const auto* const table = std::find_if(
+      code.pieces.begin(), code.pieces.end(),
+      [](const auto& piece) { return std::string_view{"k_primitives"} == piece.name; });
+  REQUIRE(table != code.pieces.end());
+  sim::BoardPieces pieces = sim::all_pieces(code);
+  const auto number = static_cast<std::size_t>(table - code.pieces.begin());
+  const sim::LinkedProgram all = sim::linked_program(0x2000, pieces);
+  pieces.bytes[number] = 50;
+  const sim::LinkedProgram part = sim::linked_program(0x2000, pieces);
+  CHECK(all.bytes.size() - part.bytes.size() == 2 * table->words - 50);
+  for (std::uint32_t offset = 0; offset < 48; offset += 4) {
+    CHECK(long_at(all, all.addresses[number] + offset) ==
+          long_at(part, part.addresses[number] + offset));
+  }
+  CHECK(std::equal(code.package.bytes.begin(), code.package.bytes.end(),
+                   part.bytes.begin() + (part.package - part.base)));
 }
 
 }  // namespace

@@ -19,8 +19,7 @@ namespace {
 class Caller {
  public:
   explicit Caller(firmware::NumberFormat numbers)
-      : program_(sim::linked_program(sim::program_code(numbers), 0x2000,
-                                     [](const auto& /*piece*/) { return true; })),
+      : program_(sim::linked_program(0x2000, sim::all_pieces(sim::program_code(numbers)))),
         ram_(1U << 20U),
         processor_({ram_.data(), static_cast<std::uint32_t>(ram_.size())}, bus_) {
     std::copy(program_.bytes.begin(), program_.bytes.end(), ram_.begin() + program_.base);

@@ -1,4 +1,4 @@
-#include "firmware/memory_needs.hpp"
+#include "firmware/work_area.hpp"
 
 #include "tests/catch.hpp"
 #include "tests/firmware/random_model.hpp"
@@ -68,15 +68,6 @@ TEST_CASE("A chain that uses all of the space keeps within it") {
   const auto crossings = built.crossings_of({0, 0, 0}, {0, 0, 1});
   CHECK(static_cast<std::int64_t>(crossings.size()) == built.needs().result);
   CHECK(built.guards_are_whole());
-}
-
-TEST_CASE("A surface takes room only for what the scene needs of it") {
-  Needs needs{};
-  const std::int64_t least = surface_bytes(needs);
-  needs.diffuse = true;
-  CHECK(surface_bytes(needs) == least + 3 * k_real_bytes);
-  needs.absorption = true;
-  CHECK(surface_bytes(needs) == least + 6 * k_real_bytes);
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "sim/machine/machine.hpp"
+
+namespace maquette::sim {
+
+/// What a board's RAM has room for besides the program and the scene.
+struct BoardRoom {
+  std::uint32_t ram_bytes;
+  std::uint32_t system_bytes;  ///< at the bottom
+  std::uint32_t crossings;
+  std::uint32_t waiting_rays;
+  std::uint32_t line_pixels;  ///< that are kept until they are written together
+  std::uint32_t stack_bytes;  ///< at the top
+  /// Of the arithmetic package, where it is larger than the program's.
+  std::uint32_t package_bytes;
+  /// Where the arrays of the scene are when they are in shared memory instead.
+  std::optional<std::uint32_t> shared_database = {};
+};
+
+/// The room in the boards of a machine; `shared_database` matters only when they share one.
+[[nodiscard]] BoardRoom board_room(const Machine& machine, std::uint32_t shared_database = 0);
+
+}  // namespace maquette::sim

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "firmware/board_order.hpp"
+#include "sim/database/board_code.hpp"
+#include "sim/database/board_room.hpp"
+
+namespace maquette::sim {
+
+/// A part of a board's RAM.
+struct RamPlace {
+  std::string_view use;
+  /// What of the host's structures has its place here; of a line of pixels, the field with its
+  /// address.
+  const void* object;
+  std::int64_t address;
+  std::int64_t bytes;
+};
+
+/// What a board's RAM holds, from the bottom up without gaps, but for the stack at the top.
+struct RamLayout {
+  std::vector<RamPlace> places;
+  std::int64_t first_loaded_data;  ///< address; behind the program
+  std::int64_t loaded_end;         ///< behind what the host loads
+  std::int64_t used_bytes;         ///< the stack included
+
+  [[nodiscard]] bool fits(const BoardRoom& room) const { return used_bytes <= room.ram_bytes; }
+};
+
+/// Lays out a board's RAM for a task by firmware/layout.hpp: system, program, the scene's arrays,
+/// the task, what preprocessing makes of them, work area, line of pixels, stack.
+[[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task,
+                                   const BoardPieces& pieces, const BoardRoom& room);
+
+/// Calls `visit(first, count)` for each array of a scene, in their order in memory.
+template <class Visit>
+void for_each_array(const firmware::Database<float>& database, Visit visit) {
+  visit(database.leaves, std::size_t{database.leaf_count});
+  visit(database.composites, std::size_t{database.composite_count});
+  visit(database.parameters, std::size_t{database.parameter_count});
+  visit(database.surfaces, std::size_t{database.surface_count});
+  visit(database.lights, std::size_t{database.light_count});
+}
+
+}  // namespace maquette::sim
