@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace maquette::sim {
 
@@ -52,24 +53,98 @@ void hold_to(const Row& start, NormalEquations& equations) {
   }
 }
 
-/// One value after the other to where the sum of squares is least; returns the largest change, as a
-/// part of the value.
-double descend(const NormalEquations& equations, const Row& least, Row& values) {
-  double largest = 0;
+/// What is above the least values, of the classes that are not held to them, where the gradient is
+/// zero: the solution of the equations of these classes by elimination. They are positive definite.
+Row solution(const NormalEquations& equations, const std::vector<std::size_t>& free) {
+  std::vector<Row> rows;
+  Row right{};
+  for (const std::size_t i : free) {
+    rows.push_back(equations.matrix[i]);
+    right[i] = equations.vector[i];
+  }
+  for (std::size_t k = 0; k < free.size(); ++k) {
+    for (std::size_t row = k + 1; row < free.size(); ++row) {
+      const double factor = rows[row][free[k]] / rows[k][free[k]];
+      for (std::size_t j = k; j < free.size(); ++j) {
+        rows[row][free[j]] -= factor * rows[k][free[j]];
+      }
+      right[free[row]] -= factor * right[free[k]];
+    }
+  }
+  Row values{};
+  for (std::size_t k = free.size(); k-- > 0;) {
+    double rest = right[free[k]];
+    for (std::size_t j = k + 1; j < free.size(); ++j) {
+      rest -= rows[k][free[j]] * values[free[j]];
+    }
+    values[free[k]] = rest / rows[k][free[k]];
+  }
+  return values;
+}
+
+/// The class that gains most by rising from its least value, by the gradient over the square root
+/// of its diagonal; none when none gains more than rounding.
+std::optional<std::size_t> most_gaining(const NormalEquations& equations, const Row& values,
+                                        const std::vector<std::size_t>& free) {
+  constexpr double k_least_gain = 1e-9;
+  std::optional<std::size_t> best;
+  double most = 0;
   for (std::size_t i = 0; i < k_classes; ++i) {
     const Row& row = equations.matrix[i];
-    if (row[i] == 0) {
+    if (row[i] == 0 || std::find(free.begin(), free.end(), i) != free.end()) {
       continue;
     }
-    double rest = equations.vector[i];
+    double gradient = equations.vector[i];
     for (std::size_t j = 0; j < k_classes; ++j) {
-      rest -= row[j] * values[j];
+      gradient -= row[j] * values[j];
     }
-    const double value = std::max(least[i], values[i] + rest / row[i]);
-    largest = std::max(largest, std::abs(value - values[i]) / (1 + values[i]));
-    values[i] = value;
+    const double gain = gradient / std::sqrt(row[i]);
+    if (gradient > k_least_gain * std::abs(equations.vector[i]) && gain > most) {
+      most = gain;
+      best = i;
+    }
   }
-  return largest;
+  return best;
+}
+
+/// Goes from `values` towards `target` as far as none falls below zero; classes that come to zero
+/// are no longer free. Whether the target was reached.
+bool approach(const Row& target, Row& values, std::vector<std::size_t>& free) {
+  double way = 1;
+  std::size_t first = k_classes;
+  for (const std::size_t i : free) {
+    if (target[i] < 0 && values[i] / (values[i] - target[i]) < way) {
+      way = values[i] / (values[i] - target[i]);
+      first = i;
+    }
+  }
+  for (const std::size_t i : free) {
+    values[i] += way * (target[i] - values[i]);
+  }
+  if (first == k_classes) {
+    return true;
+  }
+  values[first] = 0;
+  free.erase(std::find(free.begin(), free.end(), first));
+  return false;
+}
+
+/// Where the sum of squares is least with no value below zero (C. L. Lawson, R. J. Hanson: Solving
+/// Least Squares Problems, 1974, algorithm NNLS).
+Row least_squares(const NormalEquations& equations) {
+  constexpr int k_most_rounds = 10 * static_cast<int>(k_classes);
+  Row values{};
+  std::vector<std::size_t> free;
+  for (int round = 0; round < k_most_rounds; ++round) {
+    const std::optional<std::size_t> next = most_gaining(equations, values, free);
+    if (!next) {
+      break;
+    }
+    free.push_back(*next);
+    while (!approach(solution(equations, free), values, free)) {
+    }
+  }
+  return values;
 }
 
 Row row_of(const OperationCosts& costs, Quantity quantity) {
@@ -78,16 +153,25 @@ Row row_of(const OperationCosts& costs, Quantity quantity) {
   return row;
 }
 
+/// Moves the origin of the values.
+void shift(const Row& origin, NormalEquations& equations) {
+  for (std::size_t i = 0; i < k_classes; ++i) {
+    for (std::size_t j = 0; j < k_classes; ++j) {
+      equations.vector[i] -= equations.matrix[i][j] * origin[j];
+    }
+  }
+}
+
 Row fitted(const std::vector<CostSample>& samples, const OperationCosts& start,
            const OperationCosts& least, Quantity quantity) {
-  constexpr int k_most_rounds = 20'000;
-  constexpr double k_least_change = 1e-9;
   NormalEquations equations = normal_equations(samples, quantity);
+  const Row begin = row_of(start, quantity);
+  hold_to(begin, equations);
   const Row lowest = row_of(least, quantity);
-  Row values = row_of(start, quantity);
-  hold_to(values, equations);
-  for (int round = 0; round < k_most_rounds && descend(equations, lowest, values) > k_least_change;
-       ++round) {
+  shift(lowest, equations);
+  Row values = least_squares(equations);
+  for (std::size_t i = 0; i < k_classes; ++i) {
+    values[i] = equations.matrix[i][i] == 0 ? begin[i] : values[i] + lowest[i];
   }
   return values;
 }
