@@ -52,6 +52,7 @@ class Kvm02 : public sc_core::sc_module {
   /// As a master of its bus.
   [[nodiscard]] AccessLaw access_law() const;
   [[nodiscard]] std::uint64_t ram_bytes() const { return ram_.size(); }
+  [[nodiscard]] const std::vector<unsigned char>& ram() const { return ram_; }
 
   /// Has it execute a program, whose RAM so far is `resident`, in place of taking its pixels from
   /// the source, which is asked for them all the same: for what they are to be and what they cost

@@ -70,6 +70,7 @@ class CcettMachine : public sc_core::sc_module {
   /// VersaBus::observe_lines does.
   void observe_lines(const std::function<void(std::size_t backplane, const LineState&)>& observer);
 
+  [[nodiscard]] const Kvm02& board(std::size_t number) const { return *boards_[number]; }
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
   [[nodiscard]] std::size_t backplanes() const { return buses_.size(); }

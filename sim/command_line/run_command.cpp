@@ -43,6 +43,7 @@ struct RunOptions {
   int threads = 0;
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
+  std::vector<int> dumped_boards;
   TraceOptions trace;
   bool quiet = false;
 };
@@ -75,6 +76,13 @@ void add_options(CLI::App& verb, RunOptions& options) {
   verb.add_option("--snapshot-shown", options.shown_snapshots,
                   "write what the video reader shows at this simulated time (repeatable)")
       ->type_name("TIME")
+      ->expected(1)
+      ->take_all();
+  verb.add_option(
+          "--dump-ram", options.dumped_boards,
+          "write the RAM of this board as it is at the end, ram-BOARD.bin, and where things "
+          "are in it, ram.map; with --processor instruction (repeatable)")
+      ->type_name("BOARD")
       ->expected(1)
       ->take_all();
   verb.add_option("--trace", options.trace.files,
@@ -177,6 +185,34 @@ Description described(const RunOptions& options) {
   return description;
 }
 
+std::vector<int> dumped_boards(const RunOptions& options, const Machine& machine) {
+  const auto boards = static_cast<int>(machine.parameters.boards.size());
+  for (const int board : options.dumped_boards) {
+    const SourcePosition position{fmt::format("--dump-ram {}", board), 1, 1};
+    if (options.processor != "instruction") {
+      throw DescriptionError(position,
+                             "only boards that execute their program work in their RAM; allowed "
+                             "with --processor instruction");
+    }
+    if (board < 0 || board >= boards) {
+      throw DescriptionError(position, fmt::format("no such board; allowed: 0 to {}", boards - 1));
+    }
+  }
+  return options.dumped_boards;
+}
+
+void add_rams(const SimulationRequest& request, const SimulationResult& result,
+              std::vector<NamedContent>& files) {
+  for (std::size_t i = 0; i < result.rams.size(); ++i) {
+    const std::vector<unsigned char>& ram = result.rams[i];
+    files.push_back(
+        {fmt::format("ram-{}.bin", request.dumped_boards[i]), std::string(ram.begin(), ram.end())});
+  }
+  if (!result.rams.empty()) {
+    files.push_back({"ram.map", result.symbols});
+  }
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -197,6 +233,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (request.executed) {
     require_execution(description.machine);
   }
+  request.dumped_boards = dumped_boards(options, description.machine);
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
@@ -231,6 +268,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
+  add_rams(request, result, files);
   files.push_back({"manifest.json",
                    manifest_json(manifest_of(command, description.input_files, host_time_s()))});
   const models::Instant frame_end = result.statistics.frame.time;

@@ -8,8 +8,8 @@
 
 namespace maquette::sim {
 
-/// A machine on which the program of `machine` is sampled: one board with its own database, a bus of
-/// 16 bits, pixels one by one. What the program takes for a pixel is the same there.
+/// A machine on which the program of `machine` is sampled: one board with its own database, a bus
+/// of 16 bits, pixels one by one. What the program takes for a pixel is the same there.
 Machine sample_machine(const Machine& machine);
 
 /// What the program of a machine's boards takes for some hundreds of pixels, spread over the useful

@@ -14,6 +14,7 @@
 #include "models/machine/ccett_machine.hpp"
 #include "models/machine/unique_names.hpp"
 #include "sim/database/memory_map.hpp"
+#include "sim/database/symbol_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
 #include "sim/run/frame_pixels.hpp"
@@ -157,6 +158,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
     result.depths = depths_of(model.frame_memory(), picture_format_of(machine));
   }
   take_snapshots(model, request, result);
+  for (const int board : request.dumped_boards) {
+    result.rams.push_back(model.board(static_cast<std::size_t>(board)).ram());
+  }
   return result;
 }
 
@@ -199,6 +203,9 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   result.statistics.costs = cost_statistics(priced, request.executed, calibration);
   result.times_from =
       calibration ? times_from(*calibration) : times_from(machine, request.executed);
+  if (!request.dumped_boards.empty()) {
+    result.symbols = symbol_map(packed, machine);
+  }
   return result;
 }
 

@@ -22,6 +22,7 @@ struct SimulationRequest {
   bool picture = true;                            ///< whether the result has it
   int threads = 1;                                ///< of the host, for synthesis
   bool executed = false;                          ///< boards execute their program
+  std::vector<int> dumped_boards;                 ///< whose RAM the result has; of executed ones
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
   const Calibration* calibration = nullptr;       ///< of this scene and machine, if told before
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
@@ -41,7 +42,9 @@ struct SimulationResult {
   std::optional<models::Picture> depths;  ///< top eight bits as greys, of a display with depths
   std::vector<models::Picture> snapshots;
   std::vector<models::Picture> shown_snapshots;
-  BusRecord trace;  ///< of the window, when one was asked for
+  std::vector<std::vector<unsigned char>> rams;  ///< of the dumped boards, at the end
+  std::string symbols;                           ///< where things are in them, if there are any
+  BusRecord trace;                               ///< of the window, when one was asked for
 };
 
 /// Throws DescriptionError when the machine's boards can not hold the scene.

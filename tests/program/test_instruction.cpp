@@ -1,3 +1,4 @@
+#include <sstream>
 #include <string>
 
 #include "tests/catch.hpp"
@@ -110,6 +111,56 @@ TEST_CASE("boards that have no place in the addresses of an MC68000 are calibrat
   const ScratchDirectory scratch;
   const auto directory = run(scratch, "counted", "--set processors=64");
   CHECK(statistics(directory)["costs"]["from"] == "calibration");
+}
+
+TEST_CASE("the RAM of boards is dumped with a map of what is in it") {
+  const ScratchDirectory scratch;
+  const auto directory =
+      run(scratch, "dumped", "--processor instruction --dump-ram 0 --dump-ram 3");
+  const std::string first = content_of(directory / "ram-0.bin");
+  const std::string last = content_of(directory / "ram-3.bin");
+  CHECK(first.size() == 131072);
+  CHECK(last.size() == first.size());
+  CHECK_FALSE(std::filesystem::exists(directory / "ram-1.bin"));
+  std::istringstream lines(content_of(directory / "ram.map"));
+  std::size_t pieces = 0;
+  std::size_t end = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t address = std::stoul(line.substr(0, 6), nullptr, 16);
+    const std::size_t bytes = std::stoul(line.substr(7, 6), nullptr, 16);
+    const std::string name = line.substr(14);
+    INFO(line);
+    CHECK(address + bytes <= first.size());
+    const bool is_piece = name.rfind("  ", 0) == 0;
+    if (is_piece || name == "firmware code" || name == "arithmetic package" || name == "database") {
+      // What nobody writes is as it was loaded, the same on every board.
+      CHECK(first.substr(address, bytes) == last.substr(address, bytes));
+      CHECK(first.substr(address, bytes) != std::string(bytes, '\0'));
+    }
+    if (is_piece) {
+      ++pieces;
+      CHECK(address >= end);
+      end = address + bytes;
+    }
+    if (name == "task") {
+      CHECK(first.substr(address, bytes) != last.substr(address, bytes));
+    }
+  }
+  CHECK(pieces > 50);
+}
+
+TEST_CASE("RAM is dumped of boards that there are and that work in it") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const auto refused = [&](const std::string& options) {
+    const Outcome outcome =
+        run_maquette("run " + scene + " " + options + k_coarse + (scratch / "refused").string());
+    CHECK(outcome.exit_code == 2);
+    CHECK_FALSE(std::filesystem::exists(scratch / "refused"));
+    return outcome.errors;
+  };
+  CHECK_THAT(refused("--dump-ram 0"), ContainsSubstring("--processor instruction"));
+  CHECK_THAT(refused("--dump-ram 4 --processor instruction"), ContainsSubstring("0 to 3"));
 }
 
 }  // namespace
