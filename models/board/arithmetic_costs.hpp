@@ -20,12 +20,26 @@ struct OperationCost {
 
 /// How boards that execute their program do arithmetic with a table's package: none of them can (it
 /// is no package of routines on an MC68000), the host does it and each call costs what the table
-/// says, or the package itself is executed (it is the project's own, of FFP numbers).
-enum class ArithmeticExecution { none, costs, package };
+/// says, or exactly what the project's package takes on its operands, or that package itself is
+/// executed (it is of FFP numbers).
+enum class ArithmeticExecution { none, costs, exact, package };
 
-/// The cost of every operation class, of arithmetic from a table of models/arithmetic/ and of events
-/// from one of models/program/, and which of them are calls of the arithmetic package (they pay the
-/// board's call overhead; in-line ones and events do not).
+/// Whether boards have the project's own package.
+constexpr bool has_own_package(ArithmeticExecution execution) {
+  switch (execution) {
+    case ArithmeticExecution::exact:
+    case ArithmeticExecution::package:
+      return true;
+    case ArithmeticExecution::none:
+    case ArithmeticExecution::costs:
+      break;
+  }
+  return false;
+}
+
+/// The cost of every operation class, of arithmetic from a table of models/arithmetic/ and of
+/// events from one of models/program/, and which of them are calls of the arithmetic package (they
+/// pay the board's call overhead; in-line ones and events do not).
 struct ArithmeticCosts {
   std::array<OperationCost, firmware::k_operation_count> operations{};
   std::array<bool, firmware::k_operation_count> called{};

@@ -20,7 +20,8 @@ std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
                                const LadderChoices& choices) {
   std::vector<Ladder> ladders = {bus_ladder(choices.quanta), number_ladder()};
   if (!obstacle_to_execution(machine)) {
-    ladders.insert(ladders.begin(), processor_ladder(choices.share));
+    ladders.insert(ladders.begin(),
+                   processor_ladder(choices.share, machine.parameters.board.arithmetic.execution));
   }
   const bool has_secondary_rays = std::any_of(
       scene.surfaces.begin(), scene.surfaces.end(),
@@ -36,8 +37,12 @@ std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
 }
 
 std::vector<std::string> ladder_names() {
-  return {processor_ladder(1).name, bus_ladder({}).name,    number_ladder().name,
-          depth_ladder({}).name,    weight_ladder({}).name, roots_ladder().name};
+  return {processor_ladder(1, models::ArithmeticExecution::costs).name,
+          bus_ladder({}).name,
+          number_ladder().name,
+          depth_ladder({}).name,
+          weight_ladder({}).name,
+          roots_ladder().name};
 }
 
 }  // namespace maquette::sim

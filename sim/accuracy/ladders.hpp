@@ -18,8 +18,9 @@ namespace maquette::sim {
 [[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
 
 /// The boards' program executed instruction by instruction, for one in `share` pixels when that
-/// is more than 1; its work counted and priced; and the same replayed from a record.
-[[nodiscard]] Ladder processor_ladder(int share);
+/// is more than 1; where the package is executed, the same with arithmetic by the host at its exact
+/// cost; the work counted, at calibrated costs and the tables'; and the former from a record.
+[[nodiscard]] Ladder processor_ladder(int share, models::ArithmeticExecution execution);
 
 /// The picture by the firmware over `float`, as the boards have it, and over `double`.
 [[nodiscard]] Ladder number_ladder();

@@ -4,7 +4,7 @@
 
 namespace maquette::sim {
 
-Ladder processor_ladder(int share) {
+Ladder processor_ladder(int share, models::ArithmeticExecution execution) {
   const bool is_sampled = share > 1;
   std::string executed = "instruction";
   std::string varies =
@@ -16,14 +16,22 @@ Ladder processor_ladder(int share) {
         "extrapolated from it, and waiting is not known",
         share);
   }
-  return {"processor",
-          varies,
-          ErrorMeasure::frame_time,
-          {{executed, {}, LevelKind::executed, share},
-           {"counted", {"board.costs=calibrated"}, LevelKind::simulation, share},
-           {"counted by tables", {"board.costs=tables"}, LevelKind::simulation, share},
-           {"recorded", {}, LevelKind::recorded}},
-          0};
+  Ladder ladder{"processor",
+                varies,
+                ErrorMeasure::frame_time,
+                {{executed, {}, LevelKind::executed, share}},
+                0};
+  if (execution == models::ArithmeticExecution::package) {
+    ladder.levels.push_back({"arithmetic by the host",
+                             {"board.arithmetic.execution=exact"},
+                             LevelKind::executed,
+                             share});
+  }
+  ladder.levels.push_back({"counted", {"board.costs=calibrated"}, LevelKind::simulation, share});
+  ladder.levels.push_back(
+      {"counted by tables", {"board.costs=tables"}, LevelKind::simulation, share});
+  ladder.levels.push_back({"recorded", {}, LevelKind::recorded});
+  return ladder;
 }
 
 }  // namespace maquette::sim

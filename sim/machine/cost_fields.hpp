@@ -54,10 +54,12 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
       required(
           "execution",
           "of boards that execute their program: none (it is no package of an MC68000), costs (the "
-          "host computes, a call costs what the table says), package (its routines are executed)"),
+          "host computes, a call costs what the table says), exact (the host computes, a call "
+          "costs what the project's package takes on its operands), package (which is executed)"),
       costs.execution,
       ChoiceType<models::ArithmeticExecution>{{{"none", models::ArithmeticExecution::none},
                                                {"costs", models::ArithmeticExecution::costs},
+                                               {"exact", models::ArithmeticExecution::exact},
                                                {"package", models::ArithmeticExecution::package}}});
   visitor.field(
       {"numbers", "format of the numbers in a program that boards execute; ffp without"},

@@ -1,6 +1,7 @@
 #include "sim/run/board_start.hpp"
 
 #include "models/machine/machine_addresses.hpp"
+#include "sim/run/exact_arithmetic.hpp"
 #include "sim/run/host_arithmetic.hpp"
 
 namespace maquette::sim {
@@ -69,9 +70,16 @@ models::ProgramEntry program_entry(const BoardImage& image) {
 }
 
 models::HostRoutines host_routines(const Machine& machine, const BoardImage& image) {
-  return machine.parameters.board.arithmetic.execution == models::ArithmeticExecution::package
-             ? models::HostRoutines{}
-             : host_arithmetic(image.program);
+  switch (machine.parameters.board.arithmetic.execution) {
+    case models::ArithmeticExecution::package:
+      return {};
+    case models::ArithmeticExecution::exact:
+      return exact_arithmetic(image.program);
+    case models::ArithmeticExecution::none:
+    case models::ArithmeticExecution::costs:
+      break;
+  }
+  return host_arithmetic(image.program);
 }
 
 }  // namespace maquette::sim

@@ -35,7 +35,7 @@ std::optional<std::string> obstacle_to_execution(const Machine& machine) {
         "board.arithmetic=motorola_ffp, maquette_ffp or ieee_single",
         machine.arithmetic_name);
   }
-  if (arithmetic.execution == models::ArithmeticExecution::package &&
+  if (models::has_own_package(arithmetic.execution) &&
       models::numbers_of(arithmetic) != firmware::NumberFormat::ffp) {
     return "there is only a package of FFP numbers to execute; set "
            "board.arithmetic.execution=costs or board.arithmetic=maquette_ffp";

@@ -3,6 +3,7 @@
 #include "firmware/arithmetic/elementary.hpp"
 #include "firmware/arithmetic/number_format.hpp"
 #include "firmware/arithmetic/real.hpp"
+#include "sim/run/host_routine.hpp"
 
 namespace maquette::sim {
 
@@ -11,15 +12,6 @@ namespace {
 using firmware::Operation;
 using models::mc68000::ExecutionUnit;
 using models::mc68000::NativeCalls;
-
-/// Operands and result of a routine, by the registers of the package.
-constexpr unsigned k_left = 7;
-constexpr unsigned k_right = 6;
-
-template <class Format>
-float number_in(const ExecutionUnit& unit, unsigned data_register) {
-  return Format::value_of(unit.registers.data(data_register));
-}
 
 /// A routine of two operands; with a zero operand, or a zero result of a product, it is another
 /// operation to the cost tables.
@@ -46,19 +38,6 @@ auto unary(Operation operation, firmware::Work& work, Compute compute) {
   };
 }
 
-/// Conditions for branches on signed numbers. What is not a number is neither less nor equal.
-template <class Format>
-void compare(ExecutionUnit& unit) {
-  constexpr unsigned k_conditions = 0xF;
-  constexpr unsigned k_negative = 0x8;
-  constexpr unsigned k_zero = 0x4;
-  const float left = number_in<Format>(unit, k_left);
-  const float right = number_in<Format>(unit, k_right);
-  unit.registers.set_status((unit.registers.status() & ~k_conditions) |
-                            (left < right ? k_negative : 0U) | (left == right ? k_zero : 0U));
-  unit.return_from_subroutine();
-}
-
 template <class Format>
 void add_operators(std::uint32_t at, const firmware::ArithmeticPackage& package,
                    NativeCalls& routines, firmware::Work& work) {
@@ -72,7 +51,8 @@ void add_operators(std::uint32_t at, const firmware::ArithmeticPackage& package,
                                                    [](float a, float b) { return a / b; }));
   routines.add(at + package.compare, [&work](ExecutionUnit& unit) {
     ++work[Operation::compare];
-    compare<Format>(unit);
+    set_comparison<Format>(unit);
+    unit.return_from_subroutine();
   });
 }
 

@@ -90,11 +90,18 @@ std::string times_from(const Machine& machine, bool executed) {
     return fmt::format("the firmware's counted work, at the costs of the tables {} and {}",
                        machine.arithmetic_name, machine.program_name);
   }
-  const bool whole =
-      machine.parameters.board.arithmetic.execution == models::ArithmeticExecution::package;
-  return whole ? "the boards' program, executed instruction by instruction"
-               : "the boards' program, executed but for its arithmetic, which costs what " +
-                     machine.arithmetic_name + " says";
+  switch (machine.parameters.board.arithmetic.execution) {
+    case models::ArithmeticExecution::package:
+      return "the boards' program, executed instruction by instruction";
+    case models::ArithmeticExecution::exact:
+      return "the boards' program, executed but for its arithmetic package, which the host has the "
+             "time of for each call";
+    case models::ArithmeticExecution::none:
+    case models::ArithmeticExecution::costs:
+      break;
+  }
+  return "the boards' program, executed but for its arithmetic, which costs what " +
+         machine.arithmetic_name + " says";
 }
 
 std::string times_from(const Calibration& calibration) {

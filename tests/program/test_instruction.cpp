@@ -113,6 +113,27 @@ TEST_CASE("boards that have no place in the addresses of an MC68000 are calibrat
   CHECK(statistics(directory)["costs"]["from"] == "calibration");
 }
 
+TEST_CASE("arithmetic by the host at its exact cost is the executed package at every tick") {
+  const ScratchDirectory scratch;
+  const std::string scenes = std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/";
+  for (const std::string scene :
+       {"photo4.yaml", "primitives/prism.yaml", "primitives/revolution.yaml",
+        "effects/facets_gaussian.yaml", "effects/tinted_shadows.yaml"}) {
+    const auto result = [&](const std::string& execution) {
+      const std::string directory = (scratch / execution).string();
+      const Outcome outcome = run_maquette(
+          "run " + scenes + scene + " --processor instruction --set board.ram=1024KiB " +
+          "--set board.arithmetic=maquette_ffp --set board.arithmetic.execution=" + execution +
+          k_coarse + directory);
+      INFO(scene << ": " << outcome.errors);
+      REQUIRE(outcome.exit_code == 0);
+      return content_of(directory + "/stats.json");
+    };
+    INFO(scene);
+    CHECK(result("exact") == result("package"));
+  }
+}
+
 TEST_CASE("the RAM of boards is dumped with a map of what is in it") {
   const ScratchDirectory scratch;
   const auto directory =

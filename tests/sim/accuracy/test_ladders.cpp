@@ -50,6 +50,14 @@ TEST_CASE("ladders have names of their own and a reference") {
   CHECK(names == std::set<std::string>(all.begin(), all.end()));
 }
 
+TEST_CASE("a package that is executed is held against the host's at its exact cost") {
+  Machine machine = executable_machine();
+  const Scene scene = scene_with({}, 0);
+  CHECK_FALSE(has(ladders_of(scene, machine, {})[0], "board.arithmetic.execution=exact"));
+  machine.parameters.board.arithmetic.execution = maquette::models::ArithmeticExecution::package;
+  CHECK(has(ladders_of(scene, machine, {})[0], "board.arithmetic.execution=exact"));
+}
+
 TEST_CASE("what a scene has not is not varied") {
   CHECK(ladders_of(scene_with({}, 0), Machine{}, {}).size() == 2);
   CHECK(ladders_of(scene_with({}, 1), Machine{}, {}).size() == 4);

@@ -1,5 +1,7 @@
 #include "sim/primitives/generatrix_curve.hpp"
 
+#include <algorithm>
+
 #include "firmware/primitives/revolution.hpp"
 #include "sim/primitives/revolution.hpp"
 #include "tests/catch.hpp"

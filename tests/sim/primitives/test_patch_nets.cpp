@@ -1,5 +1,6 @@
 #include "sim/primitives/patch_nets.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "firmware/primitives/patches.hpp"
