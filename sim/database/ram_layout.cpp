@@ -47,8 +47,8 @@ RamLayout ram_layout(const firmware::BoardTask<float>& task, const BoardPieces& 
   Stacker stacker;
   stacker.add("system", room.system_bytes);
   stacker.add("firmware code", code_bytes(pieces));
-  stacker.add("arithmetic package",
-              std::max<std::int64_t>(pieces.code->package.bytes.size(), room.package_bytes));
+  const auto own_package_bytes = static_cast<std::int64_t>(pieces.code->package.bytes.size());
+  stacker.add("arithmetic package", std::max<std::int64_t>(own_package_bytes, room.package_bytes));
   layout.first_loaded_data = stacker.end();
   if (!room.shared_database) {
     for_each_array(task.frame.database, [&stacker](const auto* first, std::size_t count) {

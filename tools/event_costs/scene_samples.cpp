@@ -48,15 +48,17 @@ void weigh_alike(std::vector<sim::CostSample>& samples) {
 sim::Scene many_copies(const sim::Scene& scene) {
   constexpr int k_side = 20;
   constexpr double k_apart = 4.0 / k_side;
+  constexpr double k_middle = 0.5 * k_side;
   sim::Scene result = scene;
   result.object.children.clear();
-  for (int i = 0; i < k_side * k_side; ++i) {
-    sim::Object copy = scene.object;
-    const sim::Placement size(1.0 / k_side);
-    const sim::Vector3 place{(i % k_side - k_side / 2) * k_apart,
-                             (i / k_side - k_side / 2) * k_apart, 0};
-    copy.placement = {size[0], size[1], size[2], place};
-    result.object.children.push_back(copy);
+  for (int row = 0; row < k_side; ++row) {
+    for (int column = 0; column < k_side; ++column) {
+      sim::Object copy = scene.object;
+      const sim::Placement size(1.0 / k_side);
+      const sim::Vector3 place{(column - k_middle) * k_apart, (row - k_middle) * k_apart, 0};
+      copy.placement = {size[0], size[1], size[2], place};
+      result.object.children.push_back(copy);
+    }
   }
   return result;
 }
