@@ -54,8 +54,8 @@ constexpr bool is_shared(DatabasePlace place) {
 struct Kvm02Parameters {
   double clock_hz = 8e6;
   ArithmeticCosts arithmetic;
-  /// Added to every call of the arithmetic package: operands moved, JSR, the result stored; measured
-  /// on the board's program (tools/program_costs).
+  /// Added to every call of the arithmetic package: operands moved, JSR, the result stored;
+  /// measured on the board's program (tools/program_costs).
   OperationCost call_overhead{66, 12, 3.8};
   std::int64_t ram_bytes = std::int64_t{128} * 1024;
   Clocks ram_read_wait_clocks = 2;

@@ -36,7 +36,8 @@ TileTimes executed(const Description& description, int share) {
 }  // namespace
 
 TEST_CASE("the counted tiles together take what the boards of a machine compute on them") {
-  const Description description = small_description({"board.word_gap=0 clocks", "board.costs=tables"});
+  const Description description =
+      small_description({"board.word_gap=0 clocks", "board.costs=tables"});
   const SimulationResult result = simulate(description.scene, description.machine, {},
                                            [](models::Duration, double) { return true; });
   models::Duration computed{};

@@ -120,10 +120,10 @@ TEST_CASE("the shipped prototype says every figure and says the declared default
   *written.find("board")->find("arithmetic") = yaml_scalar("motorola_ffp");
   *written.find("board")->find("program") = yaml_scalar("mc68000");
   CHECK(count_values(load_yaml(file), count_values) == count_values(written, count_values));
-  CHECK(input_files ==
-        std::vector<std::string>{
-            file, (data_directory() / "models/arithmetic/motorola_ffp.yaml").string(),
-            (data_directory() / "models/program/mc68000.yaml").string()});
+  CHECK(input_files == std::vector<std::string>{
+                           file,
+                           (data_directory() / "models/arithmetic/motorola_ffp.yaml").string(),
+                           (data_directory() / "models/program/mc68000.yaml").string()});
 }
 
 TEST_CASE("every shipped cost table loads, orders its costs sensibly and marks its sources") {
