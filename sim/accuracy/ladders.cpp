@@ -37,12 +37,8 @@ std::vector<Ladder> ladders_of(const Scene& scene, const Machine& machine,
 }
 
 std::vector<std::string> ladder_names() {
-  return {processor_ladder(1, models::ArithmeticExecution::costs).name,
-          bus_ladder({}).name,
-          number_ladder().name,
-          depth_ladder({}).name,
-          weight_ladder({}).name,
-          roots_ladder().name};
+  return {k_processor_ladder,    bus_ladder({}).name,    number_ladder().name,
+          depth_ladder({}).name, weight_ladder({}).name, roots_ladder().name};
 }
 
 }  // namespace maquette::sim

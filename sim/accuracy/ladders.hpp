@@ -17,6 +17,9 @@ namespace maquette::sim {
 /// ideal.
 [[nodiscard]] Ladder bus_ladder(const std::vector<std::string>& quanta);
 
+/// The name of processor_ladder, which machines may be without.
+inline constexpr const char* k_processor_ladder = "processor";
+
 /// The boards' program executed instruction by instruction, for one in `share` pixels when that
 /// is more than 1; where the package is executed, the same with arithmetic by the host at its exact
 /// cost; the work counted, at calibrated costs and the tables'; and the former from a record.

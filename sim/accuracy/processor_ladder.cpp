@@ -16,7 +16,7 @@ Ladder processor_ladder(int share, models::ArithmeticExecution execution) {
         "extrapolated from it, and waiting is not known",
         share);
   }
-  Ladder ladder{"processor",
+  Ladder ladder{k_processor_ladder,
                 varies,
                 ErrorMeasure::frame_time,
                 {{executed, {}, LevelKind::executed, share}},

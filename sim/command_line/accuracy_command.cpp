@@ -90,8 +90,7 @@ std::vector<Ladder> wanted_ladders(const AccuracyOptions& options, const Descrip
 
 /// Tells why a ladder is missing that was asked for, by its name or with all others.
 void explain_missing(const AccuracyOptions& options, const Machine& machine) {
-  const std::string name =
-      processor_ladder(options.sample, models::ArithmeticExecution::costs).name;
+  const std::string name = k_processor_ladder;
   const std::vector<std::string>& wanted = options.ladders;
   const bool is_wanted =
       wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();

@@ -14,6 +14,7 @@
 #include "models/bus/bus_levels.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/ram_dump.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/report/image_file.hpp"
 #include "sim/report/manifest.hpp"
@@ -185,34 +186,6 @@ Description described(const RunOptions& options) {
   return description;
 }
 
-std::vector<int> dumped_boards(const RunOptions& options, const Machine& machine) {
-  const auto boards = static_cast<int>(machine.parameters.boards.size());
-  for (const int board : options.dumped_boards) {
-    const SourcePosition position{fmt::format("--dump-ram {}", board), 1, 1};
-    if (options.processor != "instruction") {
-      throw DescriptionError(position,
-                             "only boards that execute their program work in their RAM; allowed "
-                             "with --processor instruction");
-    }
-    if (board < 0 || board >= boards) {
-      throw DescriptionError(position, fmt::format("no such board; allowed: 0 to {}", boards - 1));
-    }
-  }
-  return options.dumped_boards;
-}
-
-void add_rams(const SimulationRequest& request, const SimulationResult& result,
-              std::vector<NamedContent>& files) {
-  for (std::size_t i = 0; i < result.rams.size(); ++i) {
-    const std::vector<unsigned char>& ram = result.rams[i];
-    files.push_back(
-        {fmt::format("ram-{}.bin", request.dumped_boards[i]), std::string(ram.begin(), ram.end())});
-  }
-  if (!result.rams.empty()) {
-    files.push_back({"ram.map", result.symbols});
-  }
-}
-
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -233,7 +206,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (request.executed) {
     require_execution(description.machine);
   }
-  request.dumped_boards = dumped_boards(options, description.machine);
+  request.dumped_boards =
+      checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory =
       options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
@@ -268,7 +242,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
-  add_rams(request, result, files);
+  add_ram_files(request.dumped_boards, result, files);
   files.push_back({"manifest.json",
                    manifest_json(manifest_of(command, description.input_files, host_time_s()))});
   const models::Instant frame_end = result.statistics.frame.time;

@@ -124,8 +124,9 @@ std::optional<Calibration> calibration_of(const Scene& scene, const Machine& mac
 CostStatistics cost_statistics(const Machine& machine, bool executed,
                                const std::optional<Calibration>& calibration) {
   CostStatistics costs;
-  costs.from = executed ? "execution" : calibration ? "calibration" : "tables";
+  costs.from = executed ? "execution" : "tables";
   if (calibration) {
+    costs.from = "calibration";
     costs.pixels = calibration->pixels;
     costs.sum_error = calibration->sum_error;
     costs.typical_error = calibration->typical_error;

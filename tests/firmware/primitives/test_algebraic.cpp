@@ -8,6 +8,7 @@
 #include "firmware/primitives/cylinder.hpp"
 #include "firmware/primitives/sphere.hpp"
 #include "tests/catch.hpp"
+#include "tests/firmware/primitives/algebraic_solids.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
@@ -17,95 +18,6 @@ namespace {
 using trial::Random;
 
 const double k_half_turn = std::acos(-1.0);
-
-struct Term {
-  int i;
-  int j;
-  int k;
-  double coefficient;
-};
-
-/// A polynomial of either number type, and as its terms.
-struct Solid {
-  std::vector<Term> terms;
-  std::vector<double> parameters;
-  std::vector<float> as_float;
-};
-
-/// Scaled so that the largest coefficient is 1; terms of equal exponents add up.
-Solid solid_of(const std::vector<Term>& terms) {
-  int degree = 0;
-  for (const Term& term : terms) {
-    degree = std::max(degree, term.i + term.j + term.k);
-  }
-  Solid solid;
-  solid.parameters.assign(static_cast<std::size_t>(parameter_count(degree)), 0);
-  for (const Term& term : terms) {
-    const std::ptrdiff_t index = parameter_index(degree, term.i, term.j, term.k);
-    solid.parameters[static_cast<std::size_t>(index)] += term.coefficient;
-  }
-  double largest = 0;
-  for (const double coefficient : solid.parameters) {
-    largest = std::fmax(largest, std::fabs(coefficient));
-  }
-  for (double& coefficient : solid.parameters) {
-    coefficient /= largest;
-  }
-  for (Term term : terms) {
-    term.coefficient /= largest;
-    solid.terms.push_back(term);
-  }
-  solid.parameters[0] = degree;
-  solid.as_float.assign(solid.parameters.begin(), solid.parameters.end());
-  return solid;
-}
-
-template <class Real>
-const Real* parameters_of(const Solid& solid);
-template <>
-const double* parameters_of<double>(const Solid& solid) {
-  return solid.parameters.data();
-}
-template <>
-const float* parameters_of<float>(const Solid& solid) {
-  return solid.as_float.data();
-}
-
-/// f term by term.
-double value_at(const Solid& solid, const Vector<double>& p) {
-  double sum = 0;
-  for (const Term& term : solid.terms) {
-    sum += term.coefficient * std::pow(p.x, term.i) * std::pow(p.y, term.j) * std::pow(p.z, term.k);
-  }
-  return sum;
-}
-
-Vector<double> gradient_at(const Solid& solid, const Vector<double>& p) {
-  const double step = 1e-5;
-  Vector<double> gradient;
-  for (int axis = 0; axis < 3; ++axis) {
-    Vector<double> aside(0, 0, 0);
-    aside[axis] = step;
-    gradient[axis] = (value_at(solid, p + aside) - value_at(solid, p - aside)) / (2 * step);
-  }
-  return gradient;
-}
-
-Solid random_solid(Random& random) {
-  const int degree = 1 + random.below(k_degree_limit);
-  const bool is_dense = random.coin();
-  std::vector<Term> terms{{degree, 0, 0, random.uniform(-1, 1)}, {0, 0, 0, random.uniform(-1, 0)}};
-  for (int i = 0; i <= degree; ++i) {
-    for (int j = 0; i + j <= degree; ++j) {
-      for (int k = 0; i + j + k <= degree; ++k) {
-        if (is_dense || random.below(5) == 0) {
-          terms.push_back({i, j, k, random.uniform(-1, 1)});
-        }
-      }
-    }
-  }
-  return solid_of(terms);
-}
 
 /// The torus about z: (x^2 + y^2 + z^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + y^2).
 Solid torus(double large, double small) {
@@ -171,59 +83,6 @@ Ray<double> random_ray(Random& random, double far) {
   }
   direction = glm::normalize(direction);
   return {target - direction * random.uniform(0, far), direction * random.magnitude(0.3, 3)};
-}
-
-TEST_CASE("A coefficient has a place of its own") {
-  for (int degree = 1; degree <= k_degree_limit; ++degree) {
-    std::vector<std::ptrdiff_t> places;
-    for (int i = 0; i <= degree; ++i) {
-      for (int j = 0; i + j <= degree; ++j) {
-        for (int k = 0; i + j + k <= degree; ++k) {
-          places.push_back(parameter_index(degree, i, j, k));
-        }
-      }
-    }
-    std::sort(places.begin(), places.end());
-    REQUIRE(static_cast<std::ptrdiff_t>(places.size()) == parameter_count(degree) - 1);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      REQUIRE(places[i] == static_cast<std::ptrdiff_t>(i) + 1);
-    }
-  }
-}
-
-TEMPLATE_TEST_CASE("The polynomial of a chord has the surface's value at every point of it", "",
-                   float, double) {
-  using Real = TestType;
-  Random random(2101);
-  for (int i = 0; i < 500; ++i) {
-    const Solid solid = random_solid(random);
-    const Vector<Real> low(random.in_cube());
-    const Vector<Real> high(random.in_cube());
-    const Polynomial<Real> along = along_chord(parameters_of<Real>(solid), low, high);
-    double sum = 0;
-    for (const Term& term : solid.terms) {
-      sum += std::fabs(term.coefficient);
-    }
-    for (int k = 0; k <= 10; ++k) {
-      const Vector<double> p =
-          Vector<double>(low) * (1 - k / 10.0) + Vector<double>(high) * (k / 10.0);
-      const Real value = firmware::value_at(control_polygon_of(along), static_cast<Real>(k / 10.0));
-      CAPTURE(i, k, along.degree, sum);
-      REQUIRE(std::fabs(static_cast<double>(value) - value_at(solid, p)) <=
-              static_cast<double>(ulps<Real>(8)) * sum);
-    }
-  }
-}
-
-TEST_CASE("The gradient is the change of the value") {
-  Random random(2102);
-  for (int i = 0; i < 500; ++i) {
-    const Solid solid = random_solid(random);
-    const Vector<double> p = random.in_cube();
-    const Jet<double> jet = jet_at(solid.parameters.data(), p);
-    REQUIRE(jet.value == Approx(value_at(solid, p)).margin(1e-12));
-    REQUIRE(glm::length(jet.gradient - gradient_at(solid, p)) < 1e-6);
-  }
 }
 
 /// Whether a point is inside, and how far f and the cube's planes are from changing that.
