@@ -257,4 +257,12 @@ TEST_CASE("a request in the past stops the run") {
   CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("in the past"));
 }
 
+TEST_CASE(
+    "an access that ends after the longest simulated time stops the run, with its master's name") {
+  Bench bench("endless", k_bus, slave_of_250_ns());
+  bench.add({0, 0}, Style::annotated, script({{k_longest_run - k_tick}}));
+  CHECK_THROWS_WITH(sc_core::sc_start(), Catch::Matchers::ContainsSubstring("master") &&
+                                             Catch::Matchers::ContainsSubstring("100 days"));
+}
+
 }  // namespace

@@ -80,6 +80,48 @@ TEST_CASE(
   CHECK(cost_for(found, Operation::divide).writes == 3);
 }
 
+/// Of clocks without bus cycles.
+double sum_of_squares(const std::vector<sim::CostSample>& samples,
+                      const sim::OperationCosts& costs) {
+  double sum = 0;
+  for (const sim::CostSample& sample : samples) {
+    const double error = sim::cost_of(sample.work, costs).clocks - sample.taken.clocks;
+    sum += error * error;
+  }
+  return sum;
+}
+
+TEST_CASE("no other allowed cost of a class fits better") {
+  std::mt19937 generator(35);
+  std::uniform_real_distribution<double> noise(-50'000, 50'000);
+  std::uniform_real_distribution<double> bound(0, 700);
+  int held = 0;
+  for (int trial = 0; trial < 10; ++trial) {
+    sim::OperationCosts costs = some_costs(generator);
+    sim::OperationCosts least{};
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      costs[i] = {costs[i].clocks, 0, 0};
+      least[i].clocks = bound(generator);
+    }
+    std::vector<sim::CostSample> samples = samples_at(costs, generator);
+    for (sim::CostSample& sample : samples) {
+      sample.taken.clocks += noise(generator);
+    }
+    const sim::OperationCosts found = sim::fitted_costs(samples, least, least);
+    const double best = sum_of_squares(samples, found);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      sim::OperationCosts other = found;
+      other[i].clocks += 2;
+      CHECK(sum_of_squares(samples, other) > best);
+      other[i].clocks = found[i].clocks - 2;
+      const bool is_allowed = other[i].clocks >= least[i].clocks;
+      held += is_allowed ? 0 : 1;
+      CHECK((!is_allowed || sum_of_squares(samples, other) > best));
+    }
+  }
+  CHECK(held > 20);
+}
+
 TEST_CASE("classes that always come together share what they cost, near where they start") {
   std::vector<sim::CostSample> samples(10);
   for (std::uint32_t i = 0; i < 10; ++i) {
