@@ -186,6 +186,14 @@ Description described(const RunOptions& options) {
   return description;
 }
 
+std::string paper_time_of(const Scene& scene) {
+  return scene.paper_time
+             ? fmt::format("{}; {}",
+                           format_quantity(scene.paper_time->value.count(), WholeDimension::time),
+                           scene.paper_time->source)
+             : "";
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -250,7 +258,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   trace_files.write(result.trace, frame_end);
   write_files(directory, files);
   if (!options.quiet) {
-    fmt::print("{}\n{}\n", summarise(result.statistics, result.times_from, host_time_s()),
+    fmt::print("{}\n{}\n",
+               summarise(result.statistics, result.times_from, paper_time_of(description.scene),
+                         host_time_s()),
                fmt::format("written: {}", directory.string()));
   }
   return result.statistics.partial ? k_exit_interrupted : 0;

@@ -26,7 +26,8 @@ const std::vector<WholeUnit>& units(WholeDimension dimension) {
                                            {"ns", 1'000, ""},
                                            {"us", 1'000'000, ""},
                                            {"ms", 1'000'000'000, ""},
-                                           {"s", 1'000'000'000'000, ""}};
+                                           {"s", 1'000'000'000'000, ""},
+                                           {"min", 60'000'000'000'000, ""}};
   static const std::vector<WholeUnit> memory{{"B", 1, ""}, {"KiB", 1024, ""}, {"MiB", 1048576, ""}};
   static const std::vector<WholeUnit> clocks{{"clocks", 1, "clock"}};
   static const std::vector<WholeUnit> bits{{"bits", 1, "bit"}};

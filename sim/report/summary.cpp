@@ -12,17 +12,19 @@
 namespace maquette::sim {
 namespace {
 
-constexpr const char* k_paper_time = "7 min";
 constexpr std::size_t k_listed_operations = 8;
 
 double ratio(double part, double whole) { return whole > 0 ? part / whole : 0; }
 
-std::string frame_lines(const Statistics& statistics) {
+std::string frame_lines(const Statistics& statistics, const std::string& paper_time) {
   const auto& frame = statistics.frame;
   const auto& zone = statistics.useful_zone;
-  const std::string ending = statistics.partial
-                                 ? fmt::format("  PARTIAL: {}", statistics.end_reason)
-                                 : fmt::format("  (the paper's photograph 4: {})", k_paper_time);
+  std::string ending;
+  if (statistics.partial) {
+    ending = fmt::format("  PARTIAL: {}", statistics.end_reason);
+  } else if (!paper_time.empty()) {
+    ending = fmt::format("  (the paper: {})", paper_time);
+  }
   return fmt::format(
       "frame time      {}{}\n"
       "  loading       {}, before the frame\n"
@@ -130,9 +132,10 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
 }  // namespace
 
 std::string summarise(const Statistics& statistics, const std::string& times_from,
-                      double host_time_s) {
-  return frame_lines(statistics) + fmt::format("times           from {}\n", times_from) +
-         board_lines(statistics) + bus_lines(statistics.bus) + ray_lines(statistics) +
+                      const std::string& paper_time, double host_time_s) {
+  return frame_lines(statistics, paper_time) +
+         fmt::format("times           from {}\n", times_from) + board_lines(statistics) +
+         bus_lines(statistics.bus) + ray_lines(statistics) +
          work_lines(statistics.work, clocks_of(statistics)) +
          fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
                      host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));

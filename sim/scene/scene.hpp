@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/facets/facet_table.hpp"
+#include "models/bus/instant.hpp"
 #include "sim/primitives/primitive.hpp"
 #include "sim/yaml/source_position.hpp"
 
@@ -74,9 +75,16 @@ struct Roots {
   double tolerance = 1;  ///< of those that give a ray's hits, in ulps
 };
 
+/// The time that the paper states for a picture, beside which a run shows its own.
+struct PaperTime {
+  models::Duration value{};
+  std::string source;  ///< where the paper states it
+};
+
 /// A checked scene: every name resolves, every value is in its range.
 struct Scene {
   std::string name;
+  std::optional<PaperTime> paper_time;
   View view;
   std::vector<Light> lights;
   Color ambient{0, 0, 0};

@@ -131,6 +131,7 @@ YamlNode write_scene(Scene scene) {
 std::vector<ParameterRow> list_parameters(const Scene& scene) {
   Scene plain;  // without the object tree, which is large
   plain.name = scene.name;
+  plain.paper_time = scene.paper_time;
   plain.view = scene.view;
   plain.ambient = scene.ambient;
   plain.background = scene.background;

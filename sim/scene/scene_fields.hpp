@@ -100,10 +100,27 @@ void declare_roots(Visitor& visitor, Roots& roots) {
                 RealType{RealDimension::number, {1, 1e6}});
 }
 
+template <class Visitor>
+void declare_paper_time(Visitor& visitor, Scene& scene) {
+  constexpr WholeType k_longest_time{WholeDimension::time, {1, models::k_longest_run.count()}};
+  bool has_time = scene.paper_time.has_value();
+  PaperTime time = scene.paper_time.value_or(PaperTime{});
+  visitor.optional_group(
+      {"paper_time", "that the paper states for this picture, shown beside the simulated one"},
+      has_time, [&] {
+        visitor.field(required("value", "of the frame"), time.value, k_longest_time);
+        visitor.field(required("source", "where the paper states it"), time.source, TextType{});
+      });
+  if (has_time) {
+    scene.paper_time = time;
+  }
+}
+
 /// Lights, surfaces and the object tree come besides: they are named or nested.
 template <class Visitor>
 void declare_scene(Visitor& visitor, Scene& scene) {
   visitor.field({"name", "of the scene"}, scene.name, TextType{});
+  declare_paper_time(visitor, scene);
   visitor.group(required("view", "the observer"), [&] { declare_view(visitor, scene.view); });
   visitor.field({"ambient", "uniform light from everywhere: red, green, blue"}, scene.ambient,
                 k_intensity);

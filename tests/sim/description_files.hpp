@@ -52,6 +52,7 @@ inline std::string error_of(const std::string& scene, std::vector<std::string> o
 
 /// A scene that uses every key.
 inline const std::string k_rich_scene = R"(name: rich
+paper_time: {value: 420 s, source: "a section, a photograph"}
 view: {eye: [4, -6, 3], target: [0, 0, 0.5], up: [0, 0, 1], field_of_view: 35 deg}
 lights:
   key: {position: [10, -10, 20], intensity: [3, 3, 3]}

@@ -39,8 +39,8 @@ TEST_CASE("the summary says what a user asks first") {
   statistics.work[static_cast<int>(Operation::multiply)] = 6;
   statistics.costs.clocks[static_cast<int>(Operation::add)] = 100;
   statistics.costs.clocks[static_cast<int>(Operation::multiply)] = 500;
-  const std::string text = summarise(statistics, "a test", 2.0);
-  CHECK(contains(text, "7 min 02.5 s  (the paper's photograph 4: 7 min)"));
+  const std::string text = summarise(statistics, "a test", "7 min; photograph 4", 2.0);
+  CHECK(contains(text, "7 min 02.5 s  (the paper: 7 min; photograph 4)"));
   CHECK(contains(text, "200000 of 441600 pixels"));
   CHECK(contains(text, "times           from a test"));
   CHECK(contains(text, "75.00%"));
@@ -53,14 +53,14 @@ TEST_CASE("the summary says what a user asks first") {
 
 TEST_CASE("the summary tells of claims and a shared database only where there are any") {
   Statistics statistics = example();
-  const std::string without = summarise(statistics, "a test", 1.0);
+  const std::string without = summarise(statistics, "a test", "", 1.0);
   CHECK_FALSE(contains(without, "claimed"));
   CHECK_FALSE(contains(without, "database"));
   statistics.boards[1].claims = 1001;
   statistics.boards[1].claim_failed_tries = 17;
   statistics.bus.database_words = 123;
   statistics.frame.imbalance = 0.25;
-  const std::string with = summarise(statistics, "a test", 1.0);
+  const std::string with = summarise(statistics, "a test", "", 1.0);
   CHECK(contains(with, "kvm02-1       claimed 1000 units"));
   CHECK(contains(with, "17 tries found the lock taken"));
   CHECK_FALSE(contains(with, "kvm02-0       claimed"));
@@ -69,7 +69,7 @@ TEST_CASE("the summary tells of claims and a shared database only where there ar
 }
 
 TEST_CASE("the lines of the board table are aligned") {
-  std::istringstream lines(summarise(example(), "a test", 1.0));
+  std::istringstream lines(summarise(example(), "a test", "", 1.0));
   std::vector<std::size_t> lengths;
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("board", 0) == 0 || line.rfind("kvm02", 0) == 0) {
@@ -84,8 +84,11 @@ TEST_CASE("a partial run says why it ended, and an empty one has no figure that 
   Statistics statistics = example();
   statistics.partial = true;
   statistics.end_reason = "interrupted";
-  CHECK(contains(summarise(statistics, "a test", 1.0), "PARTIAL: interrupted"));
-  const std::string empty = summarise({}, "a test", 0.0);
+  const std::string partial = summarise(statistics, "a test", "7 min; photograph 4", 1.0);
+  CHECK(contains(partial, "PARTIAL: interrupted"));
+  CHECK_FALSE(contains(partial, "the paper"));
+  const std::string empty = summarise({}, "a test", "", 0.0);
+  CHECK_FALSE(contains(empty, "the paper"));
   CHECK_FALSE(contains(empty, "nan"));
   CHECK_FALSE(contains(empty, "inf"));
 }

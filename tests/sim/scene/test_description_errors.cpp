@@ -81,6 +81,19 @@ TEST_CASE("broken YAML is reported where it breaks") {
   check_error(with_rest("a: &a [1, *a]"), "scene.yaml:3:11: ", "inside of what it refers to");
 }
 
+TEST_CASE("a time of the paper has its value and its source, or is not there") {
+  check_error(with_rest("paper_time: {value: 7 min}"),
+              "scene.yaml:3:13: ", "paper_time: `source` is missing");
+  check_error(with_rest("paper_time: {source: there}"),
+              "scene.yaml:3:13: ", "paper_time: `value` is missing");
+  check_error(with_rest("paper_time: {value: 7, source: there}"),
+              "scene.yaml:3:21: ", "`7` has no unit; allowed: ps, ns, us, ms, s, min");
+  check_error(with_rest("paper_time: {value: 0 s, source: there}"),
+              "scene.yaml:3:21: ", "allowed: 1 ps to 8640000 s");
+  check_error(with_rest("paper_time: 7 min"), "scene.yaml:3:13: ", "a mapping is allowed");
+  CHECK(with_rest("paper_time: {value: 7 min, source: there}").empty());
+}
+
 TEST_CASE("double keys are reported with the line of the first") {
   check_error(with_rest("shadows: true\nname: a\nshadows: false"),
               "scene.yaml:5:1: ", "`shadows` is given twice; it stands already in line 3");
