@@ -17,9 +17,10 @@ struct ComponentPlace {
 /// and how it writes their pixels.
 struct BoardOrder {
   std::uint32_t first_unit;
-  std::uint32_t unit_step;   ///< the number of boards
-  std::uint16_t bands;       ///< units are so many bands of rows; 0: they are tiles
-  std::uint16_t unit_width;  ///< of a tile that the zone does not cut
+  std::uint32_t unit_step;  ///< the number of boards
+  std::uint16_t bands;      ///< units are so many bands of rows; 0: they are tiles
+  /// Of a tile that the zone does not cut; of an interlace, from a board's pixel to its next one.
+  std::uint16_t unit_width;
   std::uint16_t unit_height;
   std::uint16_t frame_width;   ///< pixels of a row of the frame memory
   std::uint32_t frame_memory;  ///< address of its first pixel

@@ -1,6 +1,7 @@
 #include "firmware/board/claim.hpp"
 #include "firmware/board/elementary.hpp"
 #include "firmware/board/pixel_output.hpp"
+#include "firmware/board/unit_synthesis.hpp"
 #include "firmware/board/units.hpp"
 #include "firmware/layout.hpp"
 #include "firmware/preprocess.hpp"
@@ -20,8 +21,6 @@ static_assert(sizeof(PreparedSurface<BoardNumber>) == board_bytes<PreparedSurfac
 static_assert(sizeof(Crossing<BoardNumber>) == board_bytes<Crossing<float>>());
 static_assert(sizeof(PendingRay<BoardNumber>) == board_bytes<PendingRay<float>>());
 
-namespace {
-
 void synthesize_unit(const BoardTask<BoardNumber>& task, const Rectangle& unit, Line& line) {
   for (std::int16_t row = unit.first_row; row < unit.end_row; ++row) {
     if (line.count != 0 && line.row != row) {
@@ -32,8 +31,6 @@ void synthesize_unit(const BoardTask<BoardNumber>& task, const Rectangle& unit, 
     }
   }
 }
-
-}  // namespace
 
 /// A routine of its own, so that a simulator can tell where preprocessing ends.
 extern "C" [[gnu::noinline]] void board_synthesis(const BoardTask<BoardNumber>& task) {

@@ -46,13 +46,20 @@ PixelAllotment::PixelAllotment(const AllotmentParameters& parameters, const Pixe
       unit_width_ = parameters.tile_width;
       unit_height_ = parameters.tile_height;
       break;
+    case Allotment::interlaced:
+      interlaced_.emplace(interlace_of(parameters, boards), zone);
+      break;
   }
   units_are_equal_ = !cut_in_bands_ && unit_height_ == 1 && zone.width % unit_width_ == 0;
   units_per_row_ = parts(zone.width, unit_width_);
-  units_ = cut_in_bands_ ? boards : units_per_row_ * parts(zone.height, unit_height_);
+  units_ =
+      cut_in_bands_ || interlaced_ ? boards : units_per_row_ * parts(zone.height, unit_height_);
 }
 
 std::int64_t PixelAllotment::first_pixel(std::int64_t unit) const {
+  if (interlaced_) {
+    return interlaced_->first_pixel(unit);
+  }
   if (cut_in_bands_) {
     return zone_.height * unit / units_ * zone_.width;
   }
@@ -73,6 +80,9 @@ PixelPosition PixelAllotment::in_zone(std::int64_t column, std::int64_t row) con
 }
 
 PixelPosition PixelAllotment::position(std::int64_t index) const {
+  if (interlaced_) {
+    return interlaced_->position(index);
+  }
   if (unit_height_ == 1) {
     return in_zone(index % zone_.width, index / zone_.width);
   }
@@ -87,6 +97,9 @@ PixelPosition PixelAllotment::position(std::int64_t index) const {
 }
 
 std::int64_t PixelAllotment::index(const PixelPosition& position) const {
+  if (interlaced_) {
+    return interlaced_->index(position);
+  }
   const std::int64_t column = position.column - zone_.column0;
   const std::int64_t row = position.row - zone_.row0;
   if (unit_height_ == 1) {

@@ -1,40 +1,31 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "models/board/allotment_parameters.hpp"
+#include "models/board/interlace.hpp"
+#include "models/board/pixel_rectangle.hpp"
 
 namespace maquette::models {
-
-/// A rectangle of pixels of the screen, the useful zone.
-struct PixelRectangle {
-  int column0 = 0;
-  int row0 = 0;
-  int width = 0;
-  int height = 0;
-
-  [[nodiscard]] std::int64_t pixels() const { return static_cast<std::int64_t>(width) * height; }
-};
-
-struct PixelPosition {
-  int column;
-  int row;
-};
 
 /// How the pixels of a zone are cut into units, of which a board takes one after the other:
 /// interleaved_pixels: every pixel, in row-major order;
 /// interleaved_lines: every row;
 /// bands: as many consecutive groups of rows as there are boards, as equal as whole rows allow;
 /// tiles: in row-major order (those at the right and the bottom are cut by the zone), each row by
-/// row.
+/// row;
+/// interlaced: as many as there are boards, each every k-th pixel of every l-th row of the screen
+/// (Interlace), row by row.
 /// Every pixel has an index, in the order of the units and within each unit; it is what boards ask
 /// a pixel source for.
 class PixelAllotment {
  public:
-  /// Throws std::invalid_argument for no boards, a negative zone or empty tiles.
+  /// Throws std::invalid_argument for no boards, a negative zone or empty tiles, and as
+  /// interlace_of.
   PixelAllotment(const AllotmentParameters& parameters, const PixelRectangle& zone, int boards);
 
-  /// The number of units; some bands may be empty.
+  /// The number of units; some bands, and parts of an interlace, may be empty.
   [[nodiscard]] std::int64_t units() const { return units_; }
 
   /// The number of pixels, which are those of the zone.
@@ -54,6 +45,7 @@ class PixelAllotment {
   [[nodiscard]] PixelPosition in_zone(std::int64_t column, std::int64_t row) const;
 
   PixelRectangle zone_;
+  std::optional<InterlacedPixels> interlaced_;
   bool cut_in_bands_ = false;
   int unit_width_;  // of units other than bands, where the zone does not cut them
   int unit_height_ = 1;

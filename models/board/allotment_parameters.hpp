@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
+
 #include "models/bus/duration.hpp"
 
 namespace maquette::models {
 
 /// The units in which the boards take the pixels of the useful zone, and their order.
-enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles };
+enum class Allotment { interleaved_pixels, interleaved_lines, bands, tiles, interlaced };
 
 /// How boards come to their units: every n-th one, or the next one of a counter that they share.
 enum class Assignment { fixed, on_demand };
@@ -37,6 +39,8 @@ struct AllotmentParameters {
   Allotment order = Allotment::interleaved_pixels;
   int tile_width = 32;
   int tile_height = 32;
+  std::optional<int> columns;  ///< of an interlace; see interlace_of where they are not given
+  std::optional<int> lines;
   Assignment assignment = Assignment::fixed;
   ClaimParameters claim;
 };

@@ -1,5 +1,6 @@
 #include "sim/database/board_code.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <string_view>
 
@@ -79,8 +80,9 @@ constexpr CodeName k_table = "k_primitives";
 /// Follows the addresses in a program.
 class Reach {
  public:
-  Reach(const firmware::ProgramCode& code, const Needs& needs)
-      : needs_(needs), pieces_{&code, std::vector<std::uint32_t>(code.pieces.size())} {}
+  Reach(const firmware::ProgramCode& code, const Needs& needs,
+        std::optional<BoardPieces::Detour> detour)
+      : needs_(needs), pieces_{&code, std::vector<std::uint32_t>(code.pieces.size()), detour} {}
 
   void add(std::uint32_t number) {
     const CodePiece& piece = pieces_.code->pieces[number];
@@ -94,7 +96,7 @@ class Reach {
       const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
       const bool is_needed = !is_table || needs_.primitives[address.offset / row_bytes];
       if (address.piece != firmware::k_package && is_needed) {
-        add(address.piece);
+        add(pieces_.target(address.piece));
       }
     }
   }
@@ -115,6 +117,23 @@ class Reach {
 };
 
 constexpr CodeName k_beginning = "board_program";
+constexpr CodeName k_synthesis = "board_synthesis";
+constexpr CodeName k_interlaced_synthesis = "interlaced_synthesis";
+
+std::uint32_t number_of(const firmware::ProgramCode& code, const CodeName& piece) {
+  const auto* const found =
+      std::find_if(code.pieces.begin(), code.pieces.end(),
+                   [&piece](const CodePiece& other) { return piece.name == other.name; });
+  return static_cast<std::uint32_t>(found - code.pieces.begin());
+}
+
+std::optional<BoardPieces::Detour> detour_of(const firmware::ProgramCode& code,
+                                             models::Allotment order) {
+  return order == models::Allotment::interlaced
+             ? std::optional(BoardPieces::Detour{number_of(code, k_synthesis),
+                                                 number_of(code, k_interlaced_synthesis)})
+             : std::nullopt;
+}
 
 }  // namespace
 
@@ -131,13 +150,10 @@ BoardPieces all_pieces(const firmware::ProgramCode& code) {
   return pieces;
 }
 
-BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs) {
-  Reach reach(code, needs);
-  for (std::uint32_t number = 0; number < code.pieces.size(); ++number) {
-    if (k_beginning.name == code.pieces[number].name) {
-      reach.add(number);
-    }
-  }
+BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs,
+                          models::Allotment order) {
+  Reach reach(code, needs, detour_of(code, order));
+  reach.add(number_of(code, k_beginning));
   return reach.pieces();
 }
 

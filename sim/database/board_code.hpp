@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "firmware/database.hpp"
 #include "firmware/program_code.hpp"
+#include "models/board/allotment_parameters.hpp"
 
 namespace maquette::sim {
 
@@ -15,6 +17,18 @@ namespace maquette::sim {
 struct BoardPieces {
   const firmware::ProgramCode* code;
   std::vector<std::uint32_t> bytes;  ///< of each piece from its beginning; 0 of one left out
+
+  /// Who calls one piece comes to another.
+  struct Detour {
+    std::uint32_t from;
+    std::uint32_t to;
+  };
+  std::optional<Detour> detour = {};
+
+  /// Where an address of a piece leads.
+  [[nodiscard]] std::uint32_t target(std::uint32_t piece) const {
+    return detour && detour->from == piece ? detour->to : piece;
+  }
 };
 
 /// The whole program.
@@ -22,9 +36,10 @@ struct BoardPieces {
 
 /// What a board can come to in a scene with these needs: the pieces to which the addresses in its
 /// program lead, from its beginning on. Of the table of primitives, the rows behind the last that
-/// is needed are left out, so that a further primitive takes nothing from scenes without it.
+/// is needed are left out, so that a further primitive takes nothing from scenes without it. Boards
+/// of an interlace have its loop over their pixels in place of the others'.
 [[nodiscard]] BoardPieces needed_pieces(const firmware::ProgramCode& code,
-                                        const firmware::Needs& needs);
+                                        const firmware::Needs& needs, models::Allotment order = {});
 
 /// All pieces together.
 [[nodiscard]] std::int64_t code_bytes(const BoardPieces& pieces);

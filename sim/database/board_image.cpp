@@ -53,7 +53,7 @@ std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram,
 BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
                        const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
                        const BoardRoom& room) {
-  const BoardPieces pieces = needed_pieces(program_code(numbers), frame.database.needs);
+  const BoardPieces pieces = needed_pieces(program_code(numbers), frame.database.needs, room.order);
   firmware::BoardTask<float> task{frame, area, order};
   const RamLayout layout = ram_layout(task, pieces, room);
   if (!layout.fits(room)) {

@@ -28,11 +28,13 @@ void copy_words(const firmware::ProgramCode& code, const firmware::CodePiece& pi
 }
 
 void resolve_addresses(const firmware::CodePiece& piece, std::uint32_t bytes,
-                       const LinkedProgram& program, unsigned char* place) {
+                       const BoardPieces& pieces, const LinkedProgram& program,
+                       unsigned char* place) {
   for (std::uint32_t i = 0; i < piece.addresses; ++i) {
     const firmware::CodeAddress& address = program.code->addresses[piece.first_address + i];
-    const std::uint32_t target =
-        address.piece == firmware::k_package ? program.package : program.addresses[address.piece];
+    const std::uint32_t target = address.piece == firmware::k_package
+                                     ? program.package
+                                     : program.addresses[pieces.target(address.piece)];
     if (address.offset + k_long_bytes <= bytes) {
       put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
     }
@@ -56,7 +58,7 @@ LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
     if (program.addresses[i] != 0) {
       unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
       copy_words(code, code.pieces[i], pieces.bytes[i], place);
-      resolve_addresses(code.pieces[i], pieces.bytes[i], program, place);
+      resolve_addresses(code.pieces[i], pieces.bytes[i], pieces, program, place);
     }
   }
   return program;

@@ -17,6 +17,7 @@ BoardRoom board_room(const Machine& machine, std::uint32_t shared_database) {
   if (models::is_shared(board.database)) {
     room.shared_database = shared_database;
   }
+  room.order = machine.parameters.allotment.order;
   return room;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "models/board/allotment_parameters.hpp"
 #include "sim/machine/machine.hpp"
 
 namespace maquette::sim {
@@ -19,6 +20,7 @@ struct BoardRoom {
   std::uint32_t package_bytes;
   /// Where the arrays of the scene are when they are in shared memory instead.
   std::optional<std::uint32_t> shared_database = {};
+  models::Allotment order = {};  ///< of the pixels, which has its program
 };
 
 /// The room in the boards of a machine; `shared_database` matters only when they share one.

@@ -56,7 +56,7 @@ class CallDepth {
       const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
       calls_itself = calls_itself || address.piece == number;
       if (address.piece != number && is_linked(address)) {
-        below = std::max(below, from(address.piece));
+        below = std::max(below, from(pieces_.target(address.piece)));
       }
     }
     return depths_[number] = below + (calls_itself ? times(piece) : 1) * frame_bytes(piece);
@@ -66,7 +66,8 @@ class CallDepth {
   static constexpr std::int64_t k_in_question = -1;
 
   [[nodiscard]] bool is_linked(const firmware::CodeAddress& address) const {
-    return address.piece != firmware::k_package && pieces_.bytes[address.piece] != 0;
+    return address.piece != firmware::k_package &&
+           pieces_.bytes[pieces_.target(address.piece)] != 0;
   }
 
   [[nodiscard]] std::int64_t settled(std::uint32_t number, std::int64_t depth) const {

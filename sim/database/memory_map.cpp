@@ -39,7 +39,8 @@ MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_heig
   firmware::BoardTask<float> task{};
   task.frame.database = database;
   const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
-  const BoardPieces pieces = needed_pieces(program_code(numbers), database.needs);
+  const BoardPieces pieces =
+      needed_pieces(program_code(numbers), database.needs, machine.parameters.allotment.order);
   const RamLayout layout = ram_layout(task, pieces, board_room(machine));
   MemoryMap map;
   map.uses = uses_of(layout);

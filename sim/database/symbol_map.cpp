@@ -28,8 +28,9 @@ std::string piece_lines(const BoardPieces& pieces, const LinkedProgram& program)
 
 std::string symbol_map(const PackedScene<float>& scene, const Machine& machine) {
   const firmware::Database<float> database = scene.database();
-  const BoardPieces pieces = needed_pieces(
-      program_code(models::numbers_of(machine.parameters.board.arithmetic)), database.needs);
+  const BoardPieces pieces =
+      needed_pieces(program_code(models::numbers_of(machine.parameters.board.arithmetic)),
+                    database.needs, machine.parameters.allotment.order);
   const LinkedProgram program =
       linked_program(static_cast<std::uint32_t>(machine.system_bytes), pieces);
   std::string text;

@@ -14,7 +14,7 @@ namespace maquette::sim {
 /// One declared parameter for people. `path` is what `--set` takes.
 struct ParameterRow {
   std::string path;
-  std::string value;
+  std::string value;          ///< empty: nothing is said
   std::string unit;           ///< the allowed ones
   bool required = false;      ///< has no default
   std::string default_value;  ///< empty: it has none
@@ -32,22 +32,12 @@ class ParameterTable {
 
   template <class Value, class Type>
   void field(const Declaration& declaration, const Value& value, const Type& type) {
-    rows_.push_back({prefixes_.back() + std::string{declaration.key},
-                     write_flow(type.write(value)),
-                     type.unit(),
-                     declaration.required,
-                     {},
-                     type.range(),
-                     std::string{declaration.sentence},
-                     std::string{declaration.source},
-                     std::is_same_v<Type, WholeType>});
+    add(declaration, write_flow(type.write(value)), type);
   }
 
   template <class Value, class Type>
   void field(const Declaration& declaration, const std::optional<Value>& value, const Type& type) {
-    if (value) {
-      field(declaration, *value, type);
-    }
+    add(declaration, value ? write_flow(type.write(*value)) : "", type);
   }
 
   template <class Body>
@@ -67,6 +57,19 @@ class ParameterTable {
   [[nodiscard]] const std::vector<ParameterRow>& rows() const { return rows_; }
 
  private:
+  template <class Type>
+  void add(const Declaration& declaration, const std::string& value, const Type& type) {
+    rows_.push_back({prefixes_.back() + std::string{declaration.key},
+                     value,
+                     type.unit(),
+                     declaration.required,
+                     {},
+                     type.range(),
+                     std::string{declaration.sentence},
+                     std::string{declaration.source},
+                     std::is_same_v<Type, WholeType>});
+  }
+
   std::vector<std::string> prefixes_;
   std::vector<ParameterRow> rows_;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,16 @@ constexpr double k_ps_per_s = 1e12;
 
 [[noreturn]] void fail_at(const YamlNode& root, std::string_view path, const std::string& message) {
   fail(nearest_node(root, path), path, message);
+}
+
+std::string divisors_of(int number) {
+  std::string list;
+  for (int divisor = 1; divisor <= number; ++divisor) {
+    if (number % divisor == 0) {
+      list += (list.empty() ? "" : ", ") + std::to_string(divisor);
+    }
+  }
+  return list;
 }
 
 void check_board_count(const Machine& machine, const YamlNode& root) {
@@ -165,6 +176,34 @@ void check_board(const Machine& machine, const YamlNode& root) {
   }
 }
 
+/// As interlace_of, with the place and the divisors that are allowed.
+void check_interlace(const models::MachineParameters& parameters, const YamlNode& root) {
+  const models::AllotmentParameters& allotment = parameters.allotment;
+  const int boards = static_cast<int>(parameters.boards.size());
+  if (allotment.order != models::Allotment::interlaced) {
+    if (allotment.columns || allotment.lines) {
+      fail_at(root, allotment.columns ? "allotment.columns" : "allotment.lines",
+              "is of an interlace; allowed with allotment.order=interlaced");
+    }
+    return;
+  }
+  const auto check = [&](std::optional<int> part, std::string_view path) {
+    if (part && boards % *part != 0) {
+      fail_at(root, path,
+              std::to_string(boards) + " boards cannot be shared out over " +
+                  std::to_string(*part) + "; allowed: " + divisors_of(boards));
+    }
+  };
+  check(allotment.columns, "allotment.columns");
+  check(allotment.lines, "allotment.lines");
+  if (allotment.columns && allotment.lines && *allotment.columns * *allotment.lines != boards) {
+    fail_at(root, "allotment.lines",
+            std::to_string(*allotment.columns) + " columns and " +
+                std::to_string(*allotment.lines) + " lines are not the " + std::to_string(boards) +
+                " boards; allowed: " + std::to_string(boards / *allotment.columns));
+  }
+}
+
 /// Backplanes keep their own time, so what boards of several do to one counter has no exact order.
 void check_ports(const models::MachineParameters& parameters, const YamlNode& root) {
   if (models::is_claimed(parameters.allotment.assignment) && parameters.frame_memory.ports > 1) {
@@ -204,6 +243,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_video_slots(machine.parameters, root);
   check_timeout(machine.parameters, root);
   check_ports(machine.parameters, root);
+  check_interlace(machine.parameters, root);
 }
 
 }  // namespace maquette::sim

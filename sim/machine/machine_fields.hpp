@@ -256,11 +256,20 @@ void declare_allotment(Visitor& visitor, models::AllotmentParameters& allotment)
       ChoiceType<models::Allotment>{{{"interleaved_pixels", models::Allotment::interleaved_pixels},
                                      {"interleaved_lines", models::Allotment::interleaved_lines},
                                      {"bands", models::Allotment::bands},
-                                     {"tiles", models::Allotment::tiles}}});
+                                     {"tiles", models::Allotment::tiles},
+                                     {"interlaced", models::Allotment::interlaced}}});
   visitor.field({"tile_width", "of tiles", "choice of the firmware [I]"}, allotment.tile_width,
                 k_side);
   visitor.field({"tile_height", "of tiles", "choice of the firmware [I]"}, allotment.tile_height,
                 k_side);
+  constexpr WholeType k_part{WholeDimension::count, {1, 256}};
+  visitor.field({"columns",
+                 "of an interlace, in each of which a board has one; columns times lines is the "
+                 "number of boards, as near to a square as it can be where neither is given",
+                 "choice of the firmware [I]"},
+                allotment.columns, k_part);
+  visitor.field({"lines", "of an interlace", "choice of the firmware [I]"}, allotment.lines,
+                k_part);
   visitor.field({"assignment", "every n-th of n boards' units, or the next one of a shared counter",
                  "choice of the firmware [I]"},
                 allotment.assignment,

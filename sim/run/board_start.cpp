@@ -38,6 +38,13 @@ void set_units(const Machine& machine, int zone_width, firmware::BoardOrder& ord
       order.unit_width = static_cast<std::uint16_t>(allotment.tile_width);
       order.unit_height = static_cast<std::uint16_t>(allotment.tile_height);
       break;
+    case models::Allotment::interlaced: {
+      const models::Interlace interlace =
+          models::interlace_of(allotment, static_cast<int>(machine.parameters.boards.size()));
+      order.unit_width = static_cast<std::uint16_t>(interlace.columns);
+      order.unit_height = static_cast<std::uint16_t>(interlace.lines);
+      break;
+    }
   }
 }
 
@@ -65,8 +72,9 @@ firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetu
 }
 
 models::ProgramEntry program_entry(const BoardImage& image) {
+  const std::uint32_t interlaced = address_of(image.program, "interlaced_synthesis");
   return {address_of(image.program, "board_program"), image.stack,
-          address_of(image.program, "board_synthesis")};
+          interlaced != 0 ? interlaced : address_of(image.program, "board_synthesis")};
 }
 
 models::HostRoutines host_routines(const Machine& machine, const BoardImage& image) {

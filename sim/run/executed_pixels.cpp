@@ -18,13 +18,12 @@ using models::BoardProgram;
 using models::ProgramEvent;
 using models::mc68000::BusRequest;
 
-firmware::BoardOrder sample_order(Machine machine, const models::PixelRectangle& zone, int share) {
-  const PixelSample sample = pixel_sample(machine, zone, share);
-  machine.parameters.allotment = sample.allotment;
+firmware::BoardOrder sample_order(const Machine& machine, const models::PixelRectangle& zone,
+                                  int step) {
   models::FrameSetup setup;
   setup.useful_zone = zone;
   firmware::BoardOrder order = board_order(machine, setup);
-  order.unit_step = static_cast<std::uint32_t>(sample.step);
+  order.unit_step = static_cast<std::uint32_t>(step);
   return order;
 }
 
@@ -102,11 +101,14 @@ class PixelFollower {
 }  // namespace
 
 void execute_pixels(const Scene& scene, const Machine& machine, int share, const PixelTaker& take) {
-  const Machine alone = board_alone(machine);
+  Machine alone = board_alone(machine);
   require_execution(alone);
   const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
   SynthesisArea<float> area(prepared.frame().database);
-  const firmware::BoardOrder order = sample_order(alone, useful_zone_of(prepared.frame()), share);
+  const models::PixelRectangle zone = useful_zone_of(prepared.frame());
+  const PixelSample sample = pixel_sample(alone, zone, share);
+  alone.parameters.allotment = sample.allotment;
+  const firmware::BoardOrder order = sample_order(alone, zone, sample.step);
   BoardImage image = board_image(models::numbers_of(alone.parameters.board.arithmetic),
                                  prepared.frame(), area.view(), order, roomy(alone, order));
   PixelFollower follower(alone, order, take);

@@ -14,6 +14,7 @@ int units_per_row(const models::AllotmentParameters& allotment, int zone_width) 
       return (zone_width + allotment.tile_width - 1) / allotment.tile_width;
     case models::Allotment::interleaved_lines:
     case models::Allotment::bands:
+    case models::Allotment::interlaced:
       break;
   }
   return 1;
@@ -26,6 +27,8 @@ PixelSample pixel_sample(const Machine& machine, const models::PixelRectangle& z
   sample.allotment.assignment = models::Assignment::fixed;
   if (sample.allotment.order == models::Allotment::bands) {
     sample.allotment.order = models::Allotment::interleaved_lines;
+  } else if (sample.allotment.order == models::Allotment::interlaced) {
+    sample.allotment.order = models::Allotment::interleaved_pixels;
   }
   const int units = units_per_row(sample.allotment, zone.width);
   while (sample.step > 1 && std::gcd(sample.step, units) > 1) {

@@ -8,7 +8,7 @@
 namespace maquette::sim {
 
 /// One in `step` of the units in which a machine's boards take their pixels, the first one among
-/// them; of bands the rows are the units.
+/// them; of bands the rows are the units, of an interlace the pixels.
 struct PixelSample {
   models::AllotmentParameters allotment;
   int step;

@@ -42,13 +42,25 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
   const ScratchDirectory scratch;
   const std::string picture = content_of(run(scratch, "counted", "") / "frame.png");
   for (const std::string options :
-       {"", "--set board.arithmetic=maquette_ffp", "--set board.arithmetic=ieee_single",
-        "--set allotment.order=interleaved_lines", "--set allotment.order=bands",
+       {"",
+        "--set board.arithmetic=maquette_ffp",
+        "--set board.arithmetic=ieee_single",
+        "--set allotment.order=interleaved_lines",
+        "--set allotment.order=bands",
         "--set allotment.order=tiles",
+        "--set allotment.order=interlaced",
+        "--set allotment.order=interlaced --set processors=6 --set allotment.columns=2",
+        "--set allotment.order=interlaced --set allotment.assignment=on_demand",
+        "--set allotment.order=interlaced --set board.pixel_write=line",
+        "--set allotment.order=interlaced --set board.arithmetic=ieee_single",
         "--set allotment.order=tiles --set allotment.assignment=on_demand",
-        "--set allotment.assignment=on_demand", "--set board.pixel_write=line",
-        "--set processors=1", "--set processors=7", "--set board.release=block",
-        "--set board.pixel_write=line --set allotment.order=tiles", "--set host.loads_code=false",
+        "--set allotment.assignment=on_demand",
+        "--set board.pixel_write=line",
+        "--set processors=1",
+        "--set processors=7",
+        "--set board.release=block",
+        "--set board.pixel_write=line --set allotment.order=tiles",
+        "--set host.loads_code=false",
         "--machine m68000-12mhz5"}) {
     const auto directory = run(scratch, "executed", "--processor instruction " + options);
     INFO(options);

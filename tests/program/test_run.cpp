@@ -67,7 +67,8 @@ TEST_CASE("A board's states sum to the frame time in whole picoseconds") {
 
 TEST_CASE("Every pixel of the useful zone is synthesised once, by one board") {
   const ScratchDirectory scratch;
-  for (const char* order : {"interleaved_pixels", "interleaved_lines", "bands", "tiles"}) {
+  for (const char* order :
+       {"interleaved_pixels", "interleaved_lines", "bands", "tiles", "interlaced"}) {
     INFO(order);
     const auto directory = run_small(scratch, order, std::string("--set allotment.order=") + order);
     const auto stats = nlohmann::json::parse(content_of(directory / "stats.json"));

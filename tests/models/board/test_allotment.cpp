@@ -14,6 +14,7 @@ namespace {
 using namespace maquette::models;
 using traffic::below;
 
+// All but the interlace, whose units are no rectangles.
 constexpr Allotment k_orders[] = {Allotment::interleaved_pixels, Allotment::interleaved_lines,
                                   Allotment::bands, Allotment::tiles};
 
@@ -39,6 +40,7 @@ PixelRectangle unit_rectangle(Allotment order, const PixelRectangle& zone, int b
     case Allotment::bands:
       return {0, start, zone.width, zone.height * (unit + 1) / boards - start};
     case Allotment::tiles:
+    case Allotment::interlaced:
       break;
   }
   const int column = unit % tiles_per_row * tile_width;

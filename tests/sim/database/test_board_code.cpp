@@ -53,9 +53,11 @@ firmware::Needs random_needs(firmware::trial::Random& random) {
   return needs;
 }
 
-TEST_CASE("a scene that needs everything leaves out integer routines alone that nobody calls") {
+TEST_CASE(
+    "a scene that needs everything leaves out the interlace, and integer routines that nobody "
+    "calls") {
   const Names routines = {"__mulsi3", "__udivsi3", "divide", "__umodsi3",
-                          "__divsi3", "__modsi3",  "memset"};
+                          "__divsi3", "__modsi3",  "memset", "interlaced_synthesis"};
   for (const firmware::NumberFormat numbers : k_formats) {
     CHECK(sim::program_code(numbers).numbers == numbers);
     for (const std::string& name :
@@ -70,6 +72,31 @@ TEST_CASE("the beginning of the program and what it always calls is in every boa
   const Names names = left_out(sim::needed_pieces(k_code, firmware::Needs{}));
   for (const std::string name : {"board_program", "board_synthesis", "follow", "cross"}) {
     CHECK(std::count(names.begin(), names.end(), name) == 0);
+  }
+}
+
+TEST_CASE("boards of an interlace have its loop in place of the others', and call it") {
+  using maquette::models::Allotment;
+  firmware::trial::Random random(516);
+  for (int trial = 0; trial < 20; ++trial) {
+    const firmware::Needs needs = random_needs(random);
+    const sim::BoardPieces others = sim::needed_pieces(k_code, needs);
+    const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs, Allotment::interlaced);
+    for (std::uint32_t i = 0; i < pieces.bytes.size(); ++i) {
+      const std::string_view name = k_code.pieces[i].name;
+      INFO(name);
+      if (name == "board_synthesis") {
+        REQUIRE(pieces.bytes[i] == 0);
+        REQUIRE(std::string_view{k_code.pieces[pieces.target(i)].name} == "interlaced_synthesis");
+        REQUIRE(others.target(i) == i);
+      } else if (name == "interlaced_synthesis") {
+        REQUIRE(pieces.bytes[i] != 0);
+        REQUIRE(others.bytes[i] == 0);
+      } else {
+        REQUIRE(pieces.bytes[i] == others.bytes[i]);
+        REQUIRE(pieces.target(i) == i);
+      }
+    }
   }
 }
 

@@ -63,7 +63,8 @@ models::Duration sum_of(const std::vector<ExecutedPixel>& pixels) {
 
 TEST_CASE("a board alone writes the sample's pixels, in their order, as the firmware has them") {
   for (const int share : {1, 5}) {
-    for (const char* allotment : {"interleaved_pixels", "interleaved_lines", "bands", "tiles"}) {
+    for (const char* allotment :
+         {"interleaved_pixels", "interleaved_lines", "bands", "tiles", "interlaced"}) {
       INFO(allotment << ", 1 in " << share);
       check_sample({std::string("allotment.order=") + allotment}, share);
     }

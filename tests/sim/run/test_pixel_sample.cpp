@@ -20,8 +20,8 @@ Machine random_machine(std::mt19937& random) {
   Machine machine;
   AllotmentParameters& allotment = machine.parameters.allotment;
   const Allotment orders[] = {Allotment::interleaved_pixels, Allotment::interleaved_lines,
-                              Allotment::bands, Allotment::tiles};
-  allotment.order = orders[random() % 4];
+                              Allotment::bands, Allotment::tiles, Allotment::interlaced};
+  allotment.order = orders[random() % 5];
   allotment.assignment = random() % 2 == 0 ? Assignment::fixed : Assignment::on_demand;
   allotment.tile_width = draw(random, 1, 20);
   allotment.tile_height = draw(random, 1, 20);

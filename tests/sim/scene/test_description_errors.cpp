@@ -317,6 +317,25 @@ TEST_CASE("two masters in one place are refused") {
               "scene.yaml:7:55: boards.places: ", "request_level is given too");
 }
 
+TEST_CASE("an interlace is of as many pixels as there are boards") {
+  const auto with = [](const std::string& allotment, int processors) {
+    return with_machine("machine: {name: a, processors: " + std::to_string(processors) +
+                        ", allotment: {" + allotment + "}}");
+  };
+  check_error(with("order: interlaced, columns: 3", 4), "scene.yaml:7:75: allotment.columns: ",
+              "4 boards cannot be shared out over 3; allowed: 1, 2, 4");
+  check_error(with("order: interlaced, lines: 5", 6), "scene.yaml:7:73: allotment.lines: ",
+              "6 boards cannot be shared out over 5; allowed: 1, 2, 3, 6");
+  check_error(with("order: interlaced, columns: 2, lines: 2", 8),
+              "scene.yaml:7:85: ", "2 columns and 2 lines are not the 8 boards; allowed: 4");
+  check_error(with("order: interlaced, columns: 0", 4), "scene.yaml:7:75: ", "allowed: 1 to 256");
+  check_error(with("columns: 2", 4),
+              "scene.yaml:7:56: allotment.columns: ", "allowed with allotment.order=interlaced");
+  check_error(with_override("allotment.lines=2"), "--set ", "allotment.order=interlaced");
+  CHECK(with("order: interlaced", 7).empty());
+  CHECK(with("order: interlaced, columns: 2, lines: 4", 8).empty());
+}
+
 TEST_CASE("what no single value of a machine shows is checked") {
   check_error(with_override("video.pixel_clock=14.76 MHz"),
               "--set video.pixel_clock=14.76 MHz:1:19: ", "a multiple of 15625 Hz");

@@ -1,0 +1,72 @@
+#include "models/board/interlace.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace maquette::models {
+
+namespace {
+
+int nearest_to_square(int boards) {
+  int columns = 1;
+  while (columns * columns < boards || boards % columns != 0) {
+    ++columns;
+  }
+  return columns;
+}
+
+}  // namespace
+
+Interlace interlace_of(const AllotmentParameters& parameters, int boards) {
+  const auto rest = [boards](int part) { return part < 1 ? 0 : boards / part; };
+  const int columns = parameters.lines ? rest(*parameters.lines) : nearest_to_square(boards);
+  Interlace interlace{parameters.columns.value_or(columns), 0};
+  interlace.lines = parameters.lines.value_or(rest(interlace.columns));
+  if (interlace.columns < 1 || interlace.lines < 1 ||
+      static_cast<std::int64_t>(interlace.columns) * interlace.lines != boards) {
+    throw std::invalid_argument("columns times lines of an interlace are the number of boards");
+  }
+  return interlace;
+}
+
+InterlacedPixels::InterlacedPixels(const Interlace& interlace, const PixelRectangle& zone)
+    : interlace_(interlace), zone_(zone), first_pixels_{0} {
+  for (int unit = 0; unit < interlace.columns * interlace.lines; ++unit) {
+    first_pixels_.push_back(first_pixels_.back() +
+                            std::int64_t{columns_of(unit).count} * rows_of(unit).count);
+  }
+}
+
+InterlacedPixels::Steps InterlacedPixels::steps(int begin, int size, int distance, int remainder) {
+  const int ahead = (remainder + distance - begin % distance) % distance;
+  return {begin + ahead, ahead < size ? (size - ahead - 1) / distance + 1 : 0};
+}
+
+InterlacedPixels::Steps InterlacedPixels::columns_of(std::int64_t unit) const {
+  return steps(zone_.column0, zone_.width, interlace_.columns,
+               static_cast<int>(unit % interlace_.columns));
+}
+
+InterlacedPixels::Steps InterlacedPixels::rows_of(std::int64_t unit) const {
+  return steps(zone_.row0, zone_.height, interlace_.lines,
+               static_cast<int>(unit / interlace_.columns));
+}
+
+PixelPosition InterlacedPixels::position(std::int64_t index) const {
+  const auto next = std::upper_bound(first_pixels_.begin(), first_pixels_.end(), index);
+  const std::int64_t unit = next - first_pixels_.begin() - 1;
+  const std::int64_t in_unit = index - first_pixel(unit);
+  const Steps columns = columns_of(unit);
+  return {columns.first + static_cast<int>(in_unit % columns.count) * interlace_.columns,
+          rows_of(unit).first + static_cast<int>(in_unit / columns.count) * interlace_.lines};
+}
+
+std::int64_t InterlacedPixels::index(const PixelPosition& position) const {
+  const std::int64_t unit = interlace_.board_of(position);
+  const Steps columns = columns_of(unit);
+  const std::int64_t row = (position.row - rows_of(unit).first) / interlace_.lines;
+  return first_pixel(unit) + row * columns.count +
+         (position.column - columns.first) / interlace_.columns;
+}
+
+}  // namespace maquette::models
