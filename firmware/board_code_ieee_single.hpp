@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ieee_single {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "4dad0a5dfb27daa205833176a9ce3bd77986f34f";
+inline constexpr const char* k_firmware_version = "2136066a8cd67dc95623bd7987cdca5eef67feee";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 175, 0, 25, 28},

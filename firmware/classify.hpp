@@ -96,13 +96,13 @@ std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIn
   const Composite& composite = frame.database.composite(node);
   charge<Real>(Operation::load, 2);
   const std::int32_t a_count = cross(frame, query, composite.children[0], first);
-  const bool is_union = composite.combination == BooleanOperator::union_of;
-  if (a_count == 0 && !is_union) {
+  const bool second_is_kept = composite.combination == k_keeps_second;
+  if (a_count == 0 && !second_is_kept) {
     return 0;
   }
   const std::int32_t b_count = cross(frame, query, composite.children[1], first + a_count);
   if (b_count == 0) {
-    return composite.combination == BooleanOperator::intersection ? 0 : a_count;
+    return composite.combination == k_drops_first ? 0 : a_count;
   }
   if (a_count == 0) {
     return b_count;

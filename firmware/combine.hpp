@@ -82,7 +82,7 @@ const Crossing<Real>& take_next(const Frame<Real>& frame, BooleanOperator combin
     const Crossing<Real>& of_a = a.take();
     const Crossing<Real>& of_b = b.take();
     // Of two bodies that begin or end together the one is seen whose medium wins.
-    const bool b_is_seen = combination == BooleanOperator::union_of &&
+    const bool b_is_seen = combination == k_keeps_second &&
                            united_medium(frame.database.surfaces, a.medium, b.medium) == b.medium;
     return b_is_seen ? of_b : of_a;
   }

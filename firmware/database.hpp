@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "firmware/boolean_operator.hpp"
 #include "firmware/vector.hpp"
 
 /// The scene as a board's RAM holds it (paper, section V.2.3.1.1): flat arrays, loaded by the host.
@@ -22,8 +23,6 @@ inline constexpr SurfaceIndex k_void = 0xFFFF;
 enum class PrimitiveKind : std::uint8_t {};
 /// So many are told apart.
 inline constexpr int k_primitive_kind_limit = 32;
-
-enum class BooleanOperator : std::uint8_t { union_of, intersection, difference };
 
 /// A primitive: where it hangs, what it is, its frame and its surface.
 template <class Real>

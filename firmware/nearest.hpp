@@ -40,7 +40,7 @@ std::int32_t cross_nearest(const Frame<Real>& frame, RayQuery<Real>& query, Node
   charge<Real>(Operation::node);
   const Database<Real>& database = frame.database;
   const Real far = far_away<Real>();
-  if (database.is_leaf(node) || database.composite(node).combination != BooleanOperator::union_of) {
+  if (database.is_leaf(node) || database.composite(node).combination != k_keeps_all) {
     const std::int32_t count = cross(frame, query, node, first);
     shorten(frame, query, first, count);
     return count;

@@ -96,9 +96,7 @@ template <class Real>
                                  NodeIndex node, Crossing<Real>* first, Color<Real>& light) {
   charge<Real>(Operation::node);
   const Database<Real>& database = frame.database;
-  const bool is_union =
-      !database.is_leaf(node) && database.composite(node).combination == BooleanOperator::union_of;
-  if (is_union) {
+  if (!database.is_leaf(node) && database.composite(node).combination == k_keeps_all) {
     const NodeIndex* children = database.composite(node).children;
     const bool first_is_transparent = frame.prepared.extents[children[0]].transparent;
     const bool second_is_transparent = frame.prepared.extents[children[1]].transparent;

@@ -26,7 +26,7 @@ std::size_t largest_union(const ObjectTree& tree) {
   std::size_t largest = 0;
   std::vector<std::size_t> sizes(tree.leaves.size(), 1);
   for (const firmware::Composite& composite : tree.composites) {
-    const bool is_union = composite.combination == firmware::BooleanOperator::union_of;
+    const bool is_union = composite.combination == firmware::k_keeps_all;
     sizes.push_back(is_union ? sizes[composite.children[0]] + sizes[composite.children[1]] : 1);
     largest = std::max(largest, sizes.back());
   }
