@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ieee_single {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "2136066a8cd67dc95623bd7987cdca5eef67feee";
+inline constexpr const char* k_firmware_version = "be9436cd89fd14c9d1831f2409561bff7aa4fb73";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 175, 0, 25, 28},

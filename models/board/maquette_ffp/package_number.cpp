@@ -21,9 +21,7 @@ PackageCall call(std::uint32_t entry, PackageNumber d7, PackageNumber d6 = 0.0F)
 }
 
 PackageNumber result_of(std::uint32_t entry, PackageNumber d7, PackageNumber d6 = 0.0F) {
-  PackageNumber number;
-  number.bits = call(entry, d7, d6).result;
-  return number;
+  return PackageNumber::of_bits(call(entry, d7, d6).result);
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
-#include "firmware/arithmetic/elementary.hpp"
+#include "firmware/arithmetic/maquette_ffp/elementary_format.hpp"
 #include "firmware/arithmetic/maquette_ffp/format.hpp"
 
 namespace maquette::models {
@@ -29,6 +28,12 @@ struct PackageNumber {
       : bits(firmware::maquette_ffp::to_ffp(value)) {}
   PackageNumber(int value)  // NOLINT(google-explicit-constructor)
       : PackageNumber(static_cast<float>(value)) {}
+
+  static PackageNumber of_bits(std::uint32_t bits) {
+    PackageNumber number;
+    number.bits = bits;
+    return number;
+  }
 };
 
 inline float value_of(PackageNumber number) {
@@ -53,38 +58,23 @@ std::int32_t to_integer(PackageNumber a);
 }  // namespace maquette::models
 
 template <>
-class std::numeric_limits<maquette::models::PackageNumber> : public std::numeric_limits<float> {
- public:
-  static maquette::models::PackageNumber min() { return 0x1p-65F; }
-  static maquette::models::PackageNumber max() { return 0x1p63F; }
-};
+class std::numeric_limits<maquette::models::PackageNumber>
+    : public maquette::firmware::maquette_ffp::Limits {};
 
 namespace maquette::firmware::elementary {
 
-/// As many terms as a float needs, whose mantissa this is.
 template <>
-struct Format<models::PackageNumber> : Format<float> {
-  static constexpr int bias = 64;
-};
+struct Format<models::PackageNumber> : maquette_ffp::ElementaryFormat {};
 
 template <>
 inline models::PackageNumber power_of_two<models::PackageNumber>(int n) {
-  models::PackageNumber result;
-  result.bits = 0x80000000U | static_cast<std::uint32_t>(n + 65);
-  return result;
+  return maquette_ffp::power_of_two<models::PackageNumber>(n);
 }
 
 template <>
 inline models::PackageNumber split<models::PackageNumber>(models::PackageNumber value,
                                                           int& exponent) {
-  exponent = static_cast<int>(value.bits & 0x7fU) - 65;
-  models::PackageNumber mantissa;
-  mantissa.bits = (value.bits & 0xffffff00U) | 65U;
-  if (mantissa > constant<models::PackageNumber>(1.41421356237309504880)) {
-    mantissa *= constant<models::PackageNumber>(0.5);
-    ++exponent;
-  }
-  return mantissa;
+  return maquette_ffp::split(value, exponent);
 }
 
 }  // namespace maquette::firmware::elementary
