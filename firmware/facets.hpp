@@ -44,7 +44,15 @@ Real facet_distribution(const Surface<Real>& surface, Real cosine) {
 }
 
 /// The share of facets that is neither masked nor in shadow: G of Torrance and Sparrow, as Blinn
-/// gives it. Cosines between the surface normal n, the half vector h, the view v, the light l.
+/// gives it. Cosines between the surface normal n, the half vector h, the view v, the light l; l_h
+/// is v_h where the light is reflected.
+template <class Real>
+Real facet_attenuation(Real n_h, Real n_v, Real n_l, Real v_h, Real l_h) {
+  const Real nearer = smaller(n_v / v_h, n_l / l_h);
+  return smaller(constant<Real>(1), constant<Real>(2) * n_h * nearer);
+}
+
+/// The same for reflected light.
 template <class Real>
 Real facet_attenuation(Real n_h, Real n_v, Real n_l, Real v_h) {
   const Real nearer = smaller(n_v, n_l);

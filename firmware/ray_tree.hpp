@@ -73,7 +73,7 @@ template <class Real>
   const Color<Real> share = parent.weight * surface.specular;
   std::int32_t top = height;
   if (!surface.transparent) {
-    const Color<Real> reflected = share * fresnel_factor(surface, view.cosine, view.index);
+    const Color<Real> reflected = share * fresnel_factor(surface, view.cosine, view);
     top = spawn_reflected(frame, point, view, reflected, depth, stack, top);
     rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
     return top;

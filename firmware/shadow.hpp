@@ -128,4 +128,21 @@ bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, Node
                    frame.database.root, area, light);
 }
 
+/// Whether no surface at all lies between the origin of a ray of unit direction and a distance.
+template <class Real>
+bool reaches_freely(const Frame<Real>& frame, const Ray<Real>& ray, Real distance,
+                    NodeIndex left_behind, Crossing<Real>* area) {
+  charge<Real>(Operation::shadow_ray);
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
+  const std::int32_t count =
+      cross(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
+            frame.database.root, area);
+  for (std::int32_t i = 0; i < count; ++i) {
+    if (area[i].distance > constant<Real>(0)) {
+      return area[i].distance > distance;
+    }
+  }
+  return true;
+}
+
 }  // namespace maquette::firmware

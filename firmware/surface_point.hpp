@@ -85,6 +85,13 @@ Vector<Real> far_departure(const SurfacePoint<Real>& point) {
   return point.position - point.normal * point.clearance;
 }
 
+/// Index of the medium on the ray's side.
+template <class Real>
+Real index_before(const Database<Real>& database, SurfaceIndex before) {
+  charge<Real>(Operation::load);
+  return before == k_void ? constant<Real>(1) : database.surfaces[before].index.x;
+}
+
 /// Index of the medium behind the point relative to that before it; 1 for the void.
 template <class Real>
 Real relative_index(const Database<Real>& database, SurfaceIndex before, SurfaceIndex after,

@@ -79,6 +79,10 @@ void check_surface(const Surface& surface, const YamlNode& node) {
   if (surface.metal && surface.transparent) {
     fail(node, "transparent", "a metal is opaque; false is allowed");
   }
+  if (surface.transparent && surface.specular == 0) {
+    fail(node, "specular",
+         "the specular share is what goes through a transparent surface; above 0 to 1 is allowed");
+  }
   if (!surface.metal && surface.index != Color{surface.index.x}) {
     fail(node, "index", "a dielectric has the same index for the three colours");
   }

@@ -65,10 +65,15 @@ void declare_facets(Visitor& visitor, Surface& surface) {
 /// A dielectric gives `index`, a metal `metal: {index, extinction}`.
 template <class Visitor>
 void declare_surface(Visitor& visitor, Surface& surface) {
+  visitor.field({"transparent", "light goes through the body"}, surface.transparent, FlagType{});
+  if (surface.transparent && surface.specular == 0) {
+    surface.specular = 1;  // the default: what is not reflected goes through
+  }
   visitor.field({"diffuse", "reflectance of the diffuse share: red, green, blue"}, surface.diffuse,
                 k_reflectance);
-  visitor.field({"specular", "share of specular reflection; the rest is diffuse"}, surface.specular,
-                RealType{RealDimension::fraction, {0, 1}});
+  visitor.field(
+      {"specular", "share of specular reflection, 1 where transparent; the rest is diffuse"},
+      surface.specular, RealType{RealDimension::fraction, {0, 1}});
   visitor.optional_group({"metal", "index and extinction give its reflectance"}, surface.metal,
                          [&] {
                            visitor.field(required("index", "of refraction: red, green, blue"),
@@ -81,7 +86,6 @@ void declare_surface(Visitor& visitor, Surface& surface) {
                   TripleType{{0.01, 100}, true});
   }
   declare_facets(visitor, surface);
-  visitor.field({"transparent", "light goes through the body"}, surface.transparent, FlagType{});
   visitor.field({"absorption", "of the body per scene unit: red, green, blue"}, surface.absorption,
                 TripleType{{0, 1e9}, true});
 }

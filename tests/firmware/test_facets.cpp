@@ -57,6 +57,8 @@ TEST_CASE("The attenuation lies between 0 and 1 and treats light and view alike"
     REQUIRE(one_way >= 0);
     REQUIRE(one_way <= 1);
     REQUIRE(other_way == Approx(one_way).epsilon(1e-9));
+    REQUIRE(facet_attenuation(half.z, view.z, light.z, v_h, glm::dot(light, half)) ==
+            Approx(one_way).epsilon(1e-9));
   }
   CHECK(facet_attenuation(1.0, 1.0, 1.0, 1.0) == 1);
 }

@@ -200,6 +200,9 @@ TEST_CASE("trees of rays that would not end are refused") {
 
 TEST_CASE("surfaces that cannot be are refused") {
   check_error(with_surface("  red: {index: [1, 2, 3]}"), "scene.yaml:5:16: index: ", "same index");
+  check_error(with_surface("  red: {transparent: true, specular: 0}"),
+              "scene.yaml:5:27: specular: ", "above 0 to 1");
+  CHECK(with_surface("  red: {transparent: true}").empty());
   check_error(with_surface("  red: {absorption: 1}"), "scene.yaml:5:21: ", "transparent: true");
   check_error(with_surface("  red: {metal: {index: 1, extinction: 1}, transparent: true}"),
               "scene.yaml:5:56: transparent: ", "opaque");
