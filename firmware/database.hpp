@@ -68,6 +68,46 @@ struct Light {
   Color<Real> intensity;
 };
 
+/// How the light of a source that is not alike everywhere depends on the place it falls on.
+template <class Real>
+struct LightShape {
+  Real reference_squared;  ///< of the distance at which it has its intensity; 0: at every distance
+  Vector<Real> axis;       ///< of a spot, unit vector in the scene frame
+  Real edge_cosine;        ///< of the angle to the axis at which a spot ends; -2: no spot
+  Real per_cosine;         ///< how fast it grows from there, until it is whole
+};
+
+/// What the pattern of a texture is: its place in their table (textures/texture_table.hpp).
+enum class TextureKind : std::uint8_t {};
+inline constexpr int k_texture_kind_limit = 4;
+
+/// The texture of a leaf (paper, section V.2.3.1.1: the identification of a surface), by which the
+/// reflectance of its diffuse share is multiplied.
+template <class Real>
+struct Texture {
+  Affine<Real> from_leaf;  ///< local frame to the pattern's, in which a cell is one unit wide
+  Color<Real> colors[2];   ///< of a pattern's cells; the first also tints a picture
+  Real columns_per_turn;   ///< of a picture: texels over the whole range of u, repeated ones too
+  Real rows_per_turn;      ///< and of v
+  std::uint32_t first_texel;
+  std::uint16_t columns;
+  std::uint16_t rows;
+  TextureKind kind;
+};
+
+inline constexpr std::uint16_t k_no_texture = 0xFFFF;
+
+/// Bytes of a texel: red, green, blue.
+inline constexpr std::uint32_t k_texel_bytes = 3;
+
+/// Rays of a pixel: a regular grid of so many a side. With a contrast, all of them only where two
+/// in its corners differ by more.
+template <class Real>
+struct Samples {
+  std::int32_t per_side;
+  Real contrast;  ///< 0: always all
+};
+
 /// The observer's frame and the screen one unit in front of the eye. Screen frame: x to the right,
 /// y up, z into the scene, the eye at the origin, lengths as in the scene.
 template <class Real>
@@ -99,8 +139,13 @@ struct Needs {
   bool lights;
   bool shadows;
   bool ambient;
-  bool reflections;  ///< specular surfaces and a ray tree deeper than 0
-  bool depth;        ///< the display takes a depth with each pixel
+  bool reflections;                     ///< specular surfaces and a ray tree deeper than 0
+  bool depth;                           ///< the display takes a depth with each pixel
+  bool surface_ambient;                 ///< surfaces with an ambient light of their own
+  bool shaped_lights;                   ///< lights that are not alike everywhere
+  bool textures[k_texture_kind_limit];  ///< by TextureKind
+  bool textured;                        ///< any of them
+  bool samples;                         ///< more than one ray a pixel
 };
 
 template <class Real>
@@ -110,17 +155,25 @@ struct Database {
   const Real* parameters;
   const Surface<Real>* surfaces;
   const Light<Real>* lights;
+  const Color<Real>* surface_ambients;   ///< one for each surface, or none
+  const LightShape<Real>* light_shapes;  ///< one for each light, or none
+  const std::uint16_t* leaf_textures;    ///< one for each leaf, or none
+  const Texture<Real>* textures;
+  const std::uint8_t* texels;
   NodeIndex leaf_count;
   NodeIndex composite_count;
   std::uint32_t parameter_count;
   SurfaceIndex surface_count;
   std::uint16_t light_count;
+  std::uint16_t texture_count;
+  std::uint32_t texel_count;
   NodeIndex root;
   Observer<Real> observer;
   Color<Real> ambient;
   Color<Real> background;
   std::int32_t ray_depth;  ///< secondary rays in a row
   Real minimum_weight;     ///< rays that count less are not cast
+  Samples<Real> samples;
   Needs needs;
 
   [[nodiscard]] bool is_leaf(NodeIndex node) const { return node < leaf_count; }

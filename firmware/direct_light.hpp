@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/glossy.hpp"
+#include "firmware/light_shape.hpp"
 #include "firmware/shadow.hpp"
 
 /// Luminance of a surface under the light sources (paper, section III.1): R = s R_s + d R_d.
@@ -33,6 +34,9 @@ Color<Real> reflectance(const Frame<Real>& frame, const SurfacePoint<Real>& poin
   if (surface.specular < constant<Real>(1)) {
     charge<Real>(Operation::load, 3);
     result = frame.prepared.surfaces[point.surface].diffuse * incidence.cosine;
+    if (frame.database.needs.textured) {
+      result *= point.tint;
+    }
   }
   if (surface.specular > zero) {
     result += glossy_reflection(surface, point, view, incidence.to_light, incidence.cosine) *
@@ -84,6 +88,13 @@ Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
   }
   const Incidence<Real> incidence = incidence_of(way, along_normal);
   Color<Real> arriving = frame.database.lights[light].intensity;
+  if (frame.database.needs.shaped_lights) {
+    const Real share = shaped_share(frame, light, incidence.to_light, incidence.distance);
+    if (!(share > zero)) {
+      return {zero, zero, zero};
+    }
+    arriving *= share;
+  }
   if (is_behind) {
     return light_through(frame, point, view, incidence, area, rays, arriving);
   }
@@ -106,6 +117,9 @@ Color<Real> direct_light(const Frame<Real>& frame, const SurfacePoint<Real>& poi
   if (frame.database.needs.ambient) {
     charge<Real>(Operation::load, 3);
     sum = frame.prepared.surfaces[point.surface].ambient;
+    if (frame.database.needs.textured) {
+      sum *= point.tint;
+    }
   }
   for (std::uint16_t light = 0; light < frame.database.light_count; ++light) {
     sum += light_from(frame, light, point, view, area, rays);

@@ -49,6 +49,32 @@ constexpr void for_each_field(const Light<Real>& light, Visit& visit) {
 }
 
 template <class Real, class Visit>
+constexpr void for_each_field(const LightShape<Real>& shape, Visit& visit) {
+  visit(shape.reference_squared);
+  visit(shape.axis);
+  visit(shape.edge_cosine);
+  visit(shape.per_cosine);
+}
+
+template <class Real, class Visit>
+constexpr void for_each_field(const Texture<Real>& texture, Visit& visit) {
+  visit(texture.from_leaf);
+  visit(texture.colors);
+  visit(texture.columns_per_turn);
+  visit(texture.rows_per_turn);
+  visit(texture.first_texel);
+  visit(texture.columns);
+  visit(texture.rows);
+  visit(texture.kind);
+}
+
+template <class Real, class Visit>
+constexpr void for_each_field(const Samples<Real>& samples, Visit& visit) {
+  visit(samples.per_side);
+  visit(samples.contrast);
+}
+
+template <class Real, class Visit>
 constexpr void for_each_field(const Observer<Real>& observer, Visit& visit) {
   visit(observer.to_screen);
   visit(observer.from_screen);
@@ -79,6 +105,11 @@ constexpr void for_each_field(const Needs& needs, Visit& visit) {
   visit(needs.ambient);
   visit(needs.reflections);
   visit(needs.depth);
+  visit(needs.surface_ambient);
+  visit(needs.shaped_lights);
+  visit(needs.textures);
+  visit(needs.textured);
+  visit(needs.samples);
 }
 
 template <class Real, class Visit>
@@ -88,17 +119,25 @@ constexpr void for_each_field(const Database<Real>& database, Visit& visit) {
   visit(database.parameters);
   visit(database.surfaces);
   visit(database.lights);
+  visit(database.surface_ambients);
+  visit(database.light_shapes);
+  visit(database.leaf_textures);
+  visit(database.textures);
+  visit(database.texels);
   visit(database.leaf_count);
   visit(database.composite_count);
   visit(database.parameter_count);
   visit(database.surface_count);
   visit(database.light_count);
+  visit(database.texture_count);
+  visit(database.texel_count);
   visit(database.root);
   visit(database.observer);
   visit(database.ambient);
   visit(database.background);
   visit(database.ray_depth);
   visit(database.minimum_weight);
+  visit(database.samples);
   visit(database.needs);
 }
 
@@ -157,6 +196,7 @@ constexpr void for_each_field(const Prepared<Real>& prepared, Visit& visit) {
   visit(prepared.extents);
   visit(prepared.surfaces);
   visit(prepared.light_positions);
+  visit(prepared.light_axes);
   visit(prepared.useful_zone);
   visit(prepared.coarse_tolerance);
   visit(prepared.depths);

@@ -73,6 +73,7 @@ struct Prepared {
   Extent<Real>* extents;            ///< node_count
   PreparedSurface<Real>* surfaces;  ///< surface_count
   Vector<Real>* light_positions;    ///< light_count, screen frame
+  Vector<Real>* light_axes;         ///< of shaped lights: light_count, screen frame
   Rectangle useful_zone;
   Real coarse_tolerance;    ///< no two distances of a ray are taken as equal beyond it
   DepthRange<Real> depths;  ///< where the scene needs them

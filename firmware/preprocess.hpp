@@ -65,7 +65,8 @@ Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real 
     bottom = smaller(bottom, y);
     top = larger(top, y);
   }
-  // A pixel on either side covers the division by a depth that is short by the margin.
+  // A pixel on either side covers the division by a depth that is short by the margin, and the half
+  // of one by which the outermost of several rays of a pixel lie off its centre.
   const Real one = constant<Real>(1);
   const Real two = constant<Real>(2);
   const Real inverse_step = one / observer.step;
@@ -167,6 +168,26 @@ void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
   prepared.coarse_tolerance = largest * ulps<Real>(6 * k_crossing_tolerance);
 }
 
+/// The ambient light that surfaces have besides that of the scene.
+template <class Real>
+[[gnu::noinline]] void add_surface_ambients(const Database<Real>& database,
+                                            Prepared<Real>& prepared) {
+  for (SurfaceIndex index = 0; index < database.surface_count; ++index) {
+    const Surface<Real>& surface = database.surfaces[index];
+    prepared.surfaces[index].ambient +=
+        surface.diffuse * (constant<Real>(1) - surface.specular) * database.surface_ambients[index];
+  }
+}
+
+template <class Real>
+[[gnu::noinline]] void prepare_light_axes(const Database<Real>& database,
+                                          Prepared<Real>& prepared) {
+  for (std::uint16_t light = 0; light < database.light_count; ++light) {
+    prepared.light_axes[light] =
+        transform_direction(database.observer.to_screen, database.light_shapes[light].axis);
+  }
+}
+
 template <class Real>
 [[gnu::noinline]] void prepare_surfaces(const Database<Real>& database, Prepared<Real>& prepared) {
   const Real inverse_pi = constant<Real>(1 / elementary::k_pi);
@@ -187,9 +208,15 @@ void preprocess(const Database<Real>& database, Prepared<Real>& prepared) {
   if (database.needs.diffuse) {
     preprocessing::prepare_surfaces(database, prepared);
   }
+  if (database.needs.surface_ambient) {
+    preprocessing::add_surface_ambients(database, prepared);
+  }
   for (std::uint16_t light = 0; light < database.light_count; ++light) {
     prepared.light_positions[light] =
         transform_point(database.observer.to_screen, database.lights[light].position);
+  }
+  if (database.needs.shaped_lights) {
+    preprocessing::prepare_light_axes(database, prepared);
   }
   if (database.needs.depth) {
     prepared.depths = depth_range(database, prepared.extents);

@@ -2,6 +2,7 @@
 
 #include "firmware/direct_light.hpp"
 #include "firmware/nearest.hpp"
+#include "firmware/textures.hpp"
 
 /// The binary tree of reflected and refracted rays (paper, section III.2, figure 3), walked with a
 /// stack: a ray's weight says what share of its luminance reaches the pixel, so sums need no way
@@ -123,7 +124,10 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
     charge<Real>(Operation::load, 3);
     return arriving.weight * database.background;  // matter of a half-space has no end
   }
-  const SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
+  SurfacePoint<Real> point = surface_point(frame, query, crossing, before);
+  if (database.needs.textured) {
+    point.tint = tint_of(frame, point);
+  }
   const Surface<Real>& surface = database.surfaces[point.surface];
   // A matt surface looks the same from everywhere.
   View<Real> view{};

@@ -14,7 +14,9 @@ struct SurfacePoint {
   SurfaceIndex before;   ///< medium on the ray's side
   SurfaceIndex after;
   NodeIndex leaf;  ///< whose surface it is
-  bool is_inside;  ///< the ray comes from the inside of that leaf
+  std::uint8_t face;
+  bool is_inside;    ///< the ray comes from the inside of that leaf
+  Color<Real> tint;  ///< of the texture there, where the scene has any
 };
 
 /// Spacings by which a secondary ray starts off the surface, per unit of its coordinates: more than
@@ -57,6 +59,7 @@ SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>&
   point.before = before;
   point.after = crossing.medium;
   point.leaf = crossing.leaf;
+  point.face = crossing.face;
   point.is_inside = crossing.outwards;
   return point;
 }

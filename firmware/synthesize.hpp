@@ -39,6 +39,77 @@ RayQuery<Real> primary_ray(const Observer<Real>& observer, std::int16_t column, 
           row};
 }
 
+/// What a display can show of a luminance: a light that is brighter than white must not outweigh
+/// its neighbours when several rays share a pixel.
+template <class Real>
+Color<Real> displayable(const Color<Real>& color) {
+  const Real zero = constant<Real>(0);
+  const Real one = constant<Real>(1);
+  return {larger(zero, smaller(one, color.x)), larger(zero, smaller(one, color.y)),
+          larger(zero, smaller(one, color.z))};
+}
+
+/// The rays of a pixel as they are cast: their sum, and how far they lie apart.
+template <class Real>
+struct SampleSum {
+  Color<Real> sum{constant<Real>(0), constant<Real>(0), constant<Real>(0)};
+  Color<Real> low{constant<Real>(1), constant<Real>(1), constant<Real>(1)};
+  Color<Real> high{constant<Real>(0), constant<Real>(0), constant<Real>(0)};
+};
+
+/// Casts the ray through a cell of the grid over a pixel.
+template <class Real>
+void cast_sample(const Frame<Real>& frame, const WorkArea<Real>& area,
+                 const RayQuery<Real>& primary, std::int32_t x, std::int32_t y,
+                 SampleSum<Real>& samples, Sight<Real>& sight) {
+  const Observer<Real>& observer = frame.database.observer;
+  const std::int32_t per_side = frame.database.samples.per_side;
+  const Real cell = observer.step / from_integer<Real>(2 * per_side);
+  RayQuery<Real> query = primary;
+  query.ray.direction.x += cell * from_integer<Real>(2 * x + 1 - per_side);
+  query.ray.direction.y -= cell * from_integer<Real>(2 * y + 1 - per_side);
+  const Real nearest = sight.depth;
+  sight.depth = far_away<Real>();
+  const Color<Real> color = displayable(luminance(frame, query, area, sight));
+  sight.depth = smaller(sight.depth, nearest);
+  samples.sum += color;
+  samples.low = lower(samples.low, color);
+  samples.high = higher(samples.high, color);
+}
+
+/// Luminance of a pixel as the mean of a regular grid of rays. With a contrast, those in the
+/// corners of the grid come first, and only where two of them differ by more in one colour the
+/// others (Whitted 1980, of whose neighbouring pixels a board has none).
+template <class Real>
+[[gnu::noinline]] Color<Real> sampled_luminance(const Frame<Real>& frame,
+                                                const RayQuery<Real>& primary,
+                                                const WorkArea<Real>& area, Sight<Real>& sight) {
+  const Samples<Real>& grid = frame.database.samples;
+  const std::int32_t last = grid.per_side - 1;
+  charge<Real>(Operation::load, 2);
+  SampleSum<Real> samples;
+  const bool corners_first = grid.contrast > constant<Real>(0);
+  if (corners_first) {
+    for (std::int32_t corner = 0; corner < 4; ++corner) {
+      cast_sample(frame, area, primary, (corner & 1) * last, (corner >> 1) * last, samples, sight);
+    }
+    const Color<Real> apart = samples.high - samples.low;
+    if (!(larger(apart.x, larger(apart.y, apart.z)) > grid.contrast)) {
+      return samples.sum * constant<Real>(0.25);
+    }
+  }
+  for (std::int32_t y = 0; y <= last; ++y) {
+    const bool is_edge = y == 0 || y == last;
+    for (std::int32_t x = 0; x <= last; ++x) {
+      if (corners_first && is_edge && (x == 0 || x == last)) {
+        continue;
+      }
+      cast_sample(frame, area, primary, x, y, samples, sight);
+    }
+  }
+  return samples.sum / from_integer<Real>(grid.per_side * grid.per_side);
+}
+
 /// Computes one pixel of the useful zone. Independent of every other pixel.
 template <class Real>
 Pixel synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int16_t column,
@@ -47,7 +118,8 @@ Pixel synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int1
   Pixel pixel{};
   const RayQuery<Real> primary = primary_ray(frame.database.observer, column, row);
   Sight<Real> sight;
-  pixel.rgb = rgb_of(luminance(frame, primary, area, sight));
+  pixel.rgb = rgb_of(frame.database.needs.samples ? sampled_luminance(frame, primary, area, sight)
+                                                  : luminance(frame, primary, area, sight));
   pixel.rays = sight.rays;
   if (frame.database.needs.depth) {
     pixel.depth = depth_code(frame.prepared.depths, sight.depth);

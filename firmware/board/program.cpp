@@ -15,6 +15,8 @@ static_assert(sizeof(Leaf<BoardNumber>) == board_bytes<Leaf<float>>());
 static_assert(sizeof(Composite) == board_bytes<Composite>());
 static_assert(sizeof(Surface<BoardNumber>) == board_bytes<Surface<float>>());
 static_assert(sizeof(Light<BoardNumber>) == board_bytes<Light<float>>());
+static_assert(sizeof(LightShape<BoardNumber>) == board_bytes<LightShape<float>>());
+static_assert(sizeof(Texture<BoardNumber>) == board_bytes<Texture<float>>());
 static_assert(sizeof(PreparedLeaf<BoardNumber>) == board_bytes<PreparedLeaf<float>>());
 static_assert(sizeof(Extent<BoardNumber>) == board_bytes<Extent<float>>());
 static_assert(sizeof(PreparedSurface<BoardNumber>) == board_bytes<PreparedSurface<float>>());

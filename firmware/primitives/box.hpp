@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/interval.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// The cube from -1 to 1 in x, y and z. Faces: 2 * axis for +1, 2 * axis + 1 for -1.
 namespace maquette::firmware::box {
@@ -39,8 +40,26 @@ bool bounds(const Real* /*parameters*/, Box<Real>& box) {
   return true;
 }
 
+/// Each face as it is seen from outside, with z upwards; the top with y upwards, the bottom with y
+/// downwards.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
+                                 const Real* /*parameters*/) {
+  const bool is_positive = (face % 2) == 0;
+  switch (face / 2) {
+    case 0:
+      return {from_edges(is_positive ? point.y : -point.y), from_edges(point.z)};
+    case 1:
+      return {from_edges(is_positive ? -point.x : point.x), from_edges(point.z)};
+    default:
+      return {from_edges(point.x), from_edges(is_positive ? point.y : -point.y)};
+  }
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, convex_hit_limit<Real>, true};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/interval.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// The cone x^2 + y^2 <= z^2 between z = top and z = 1, closed by discs; top, its only parameter,
 /// is 0 for a pointed cone and less than 1. Faces: 0 the base z = 1, 1 the top, 2 the side.
@@ -122,8 +123,22 @@ bool bounds(const Real* parameters, Box<Real>& box) {
   return true;
 }
 
+/// By angle and height; the discs by x and y, as far as the base reaches.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
+                                 const Real* parameters) {
+  if (face != k_side) {
+    return {from_edges(point.x), from_edges(point.y)};
+  }
+  const Real top = parameters[0];
+  charge<Real>(Operation::load);
+  return {turn_of(point.x, point.y), within_unit((point.z - top) / (constant<Real>(1) - top))};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, convex_hit_limit<Real>, true};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/interval.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// The cylinder of radius 1 around the z axis from z = -1 to z = 1, closed by discs.
 /// Faces: 0 the top disc, 1 the bottom disc, 2 the side.
@@ -57,8 +58,20 @@ bool bounds(const Real* /*parameters*/, Box<Real>& box) {
   return true;
 }
 
+/// By angle and height; the discs by x and y.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
+                                 const Real* /*parameters*/) {
+  if (face != k_side) {
+    return {from_edges(point.x), from_edges(point.y)};
+  }
+  return {turn_of(point.x, point.y), from_edges(point.z)};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, convex_hit_limit<Real>, true};

@@ -4,6 +4,7 @@
 #include "firmware/primitives/patch_point.hpp"
 #include "firmware/primitives/patch_roots.hpp"
 #include "firmware/primitives/primitive.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// A set of bicubic Bezier patches. A closed one bounds a solid; any other is a sheet without
 /// thickness, which a ray enters and leaves at once. Faces: the patches by their numbers, and
@@ -218,8 +219,19 @@ int hit_limit(const Real* parameters) {
   return hits < k_hit_limit ? hits : k_hit_limit;
 }
 
+/// Each patch by its own parameters.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
+                                 const Real* parameters) {
+  const PatchSet<Real> set = patch_set(parameters);
+  const Place<Real> place = nearest_place(set.patch(face % k_from_behind), point);
+  return {within_unit(place.u), within_unit(place.v)};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};

@@ -2,6 +2,7 @@
 
 #include "firmware/primitives/hit_order.hpp"
 #include "firmware/primitives/revolution_section.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// A solid of revolution about the z axis (paper, section IV): its generatrix is a chain of cubic
 /// Bezier sections (r, z) with r >= 0 that has the solid on its left; where the chain is open,
@@ -169,8 +170,25 @@ bool bounds(const Real* parameters, Box<Real>& box) {
   return true;
 }
 
+/// By the angle and the parameter of the generatrix, whose sections share it evenly; the discs by x
+/// and y as far as the solid reaches.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
+                                 const Real* parameters) {
+  const Generatrix<Real> curve = generatrix(parameters);
+  if (face >= k_first_disc) {
+    const Real inverse = constant<Real>(1) / curve.extent(0).high_r;
+    return {from_edges(point.x * inverse), from_edges(point.y * inverse)};
+  }
+  const Real along = nearest_parameter(curve.section(face), radius_of(point), point.z);
+  return {turn_of(point.x, point.y),
+          within_unit((from_integer<Real>(face) + along) / from_integer<Real>(curve.sections))};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/interval.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// The unit sphere; ellipsoids come from the local frame.
 namespace maquette::firmware::sphere {
@@ -33,8 +34,20 @@ bool bounds(const Real* /*parameters*/, Box<Real>& box) {
   return true;
 }
 
+/// By longitude and latitude.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t /*face*/,
+                                 const Real* /*parameters*/) {
+  const Real height = smaller(constant<Real>(1), absolute(point.z));
+  const Real from_pole = arc_cosine(height) * constant<Real>(1 / elementary::k_pi);
+  return {turn_of(point.x, point.y),
+          within_unit(point.z > constant<Real>(0) ? constant<Real>(1) - from_pole : from_pole)};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, convex_hit_limit<Real>, true};

@@ -2,6 +2,7 @@
 
 #include "firmware/polynomials/real_roots.hpp"
 #include "firmware/primitives/interval.hpp"
+#include "firmware/primitives/surface_map.hpp"
 
 /// The torus about the z axis whose outer radius is 1: points within `minor` of the circle of
 /// radius 1 - minor in the plane z = 0. Its surface is one face.
@@ -190,8 +191,20 @@ int hit_limit(const Real* /*parameters*/) {
   return k_degree;
 }
 
+/// By the angle about the axis and that about the middle of the tube.
+template <class Real>
+SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t /*face*/,
+                                 const Real* parameters) {
+  charge<Real>(Operation::load);
+  const Real major = constant<Real>(1) - parameters[0];
+  const Real radius = square_root(point.x * point.x + point.y * point.y);
+  return {turn_of(point.x, point.y), turn_of(radius - major, point.z)};
+}
+
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};

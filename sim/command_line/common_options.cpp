@@ -6,7 +6,7 @@
 
 #include "models/bus/bus_levels.hpp"
 #include "sim/command_line/version.hpp"
-#include "sim/report/program_tree.hpp"
+#include "sim/picture/program_tree.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 
 namespace maquette::sim {

@@ -16,7 +16,7 @@
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/ram_dump.hpp"
 #include "sim/fields/quantity.hpp"
-#include "sim/report/image_file.hpp"
+#include "sim/picture/image_file.hpp"
 #include "sim/report/manifest.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/run_directory.hpp"

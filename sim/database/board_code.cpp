@@ -1,6 +1,7 @@
 #include "sim/database/board_code.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 #include "firmware/board_code_ieee_single.hpp"
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
+#include "firmware/textures/texture_table.hpp"
 #include "sim/primitives/board_call.hpp"
 
 namespace maquette::sim {
@@ -43,22 +45,31 @@ constexpr Gate k_gates[] = {
     {"transmitted_over", [](const Needs& needs) { return needs.absorption; }},
     {"pass_node", [](const Needs& needs) { return needs.shadows; }},
     {"pass_crossings", [](const Needs& needs) { return needs.shadows && needs.transparency; }},
+    {"preprocessing::add_surface_ambients",
+     [](const Needs& needs) { return needs.surface_ambient; }},
+    {"preprocessing::prepare_light_axes", [](const Needs& needs) { return needs.shaped_lights; }},
+    {"shaped_share", [](const Needs& needs) { return needs.shaped_lights; }},
+    {"tint_of", [](const Needs& needs) { return needs.textured; }},
+    {"sampled_luminance", [](const Needs& needs) { return needs.samples; }},
     {"depth_range", [](const Needs& needs) { return needs.depth; }},
     {"depth_code", [](const Needs& needs) { return needs.depth; }},
     {"spawn", [](const Needs& needs) { return needs.reflections; }},
     {"spawn_refracted", [](const Needs& needs) { return needs.reflections && needs.transparency; }},
 };
 
-constexpr bool are_in_program(const firmware::FacetTable& table) {
-  for (const firmware::FacetDistribution& facets : table.rows) {
-    if (!has_namespace(facets.name)) {
+/// Whether the program has a namespace for each row of a table.
+template <class Table>
+constexpr bool are_in_program(const Table& table) {
+  for (const auto& row : table.rows) {
+    if (!has_namespace(row.name)) {
       return false;
     }
   }
   return true;
 }
 
-static_assert(are_in_program(firmware::k_facet_distributions),
+static_assert(are_in_program(firmware::k_facet_distributions) &&
+                  are_in_program(firmware::k_textures),
               "the program of a board has no such namespace");
 
 bool is_open(std::string_view function, const Needs& needs) {
@@ -70,12 +81,22 @@ bool is_open(std::string_view function, const Needs& needs) {
     const char* const facets = firmware::k_facet_distributions.rows[kind].name;
     open = open && (!is_in_namespace(function, facets) || needs.facets[kind]);
   }
+  for (int kind = 0; kind < firmware::k_texture_kind_count; ++kind) {
+    const char* const texture = firmware::k_textures.rows[kind].name;
+    open = open && (!is_in_namespace(function, texture) || needs.textures[kind]);
+  }
   return open;
 }
 
 constexpr std::uint32_t bytes_of(const CodePiece& piece) { return 2 * piece.words; }
 
-constexpr CodeName k_table = "k_primitives";
+/// Tables of addresses with a row for each primitive, of which those that a scene needs are kept.
+constexpr CodeName k_tables[] = {"k_primitives", "k_surface_maps"};
+
+bool is_primitive_table(std::string_view name) {
+  return std::any_of(std::begin(k_tables), std::end(k_tables),
+                     [name](const CodeName& table) { return table.name == name; });
+}
 
 /// Follows the addresses in a program.
 class Reach {
@@ -89,7 +110,7 @@ class Reach {
     if (pieces_.bytes[number] != 0 || !is_open(piece.name, needs_)) {
       return;
     }
-    const bool is_table = k_table.name == piece.name;
+    const bool is_table = is_primitive_table(piece.name);
     const std::uint32_t row_bytes = bytes_of(piece) / firmware::k_primitive_kind_count;
     pieces_.bytes[number] = is_table ? row_bytes * needed_rows() : bytes_of(piece);
     for (std::uint32_t i = 0; i < piece.addresses; ++i) {

@@ -4,6 +4,7 @@
 
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/database/texture_packing.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
@@ -13,6 +14,13 @@ namespace {
 template <class Predicate>
 bool any_surface(const std::vector<firmware::Surface<double>>& surfaces, Predicate predicate) {
   return std::any_of(surfaces.begin(), surfaces.end(), predicate);
+}
+
+/// Whether that is true of any surface that a primitive has.
+template <class Predicate>
+bool any_tree_surface(const Scene& scene, const ObjectTree& tree, Predicate predicate) {
+  return std::any_of(tree.leaves.begin(), tree.leaves.end(),
+                     [&](const TreeLeaf& leaf) { return predicate(scene.surfaces[leaf.surface]); });
 }
 
 bool combines_by(const ObjectTree& tree, firmware::BooleanOperator combination) {
@@ -62,7 +70,19 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
                            return s.specular > 0 && static_cast<int>(s.facets) == kind;
                          });
   }
-  needs.ambient = needs.diffuse && scene.ambient != Color(0, 0, 0);
+  needs.surface_ambient = needs.diffuse && any_tree_surface(scene, tree, [](const Surface& s) {
+                            return s.ambient && *s.ambient != Color(0, 0, 0);
+                          });
+  needs.ambient = needs.surface_ambient || (needs.diffuse && scene.ambient != Color(0, 0, 0));
+  needs.shaped_lights = std::any_of(scene.lights.begin(), scene.lights.end(),
+                                    [](const Light& light) { return light.falloff || light.spot; });
+  for (int kind = 0; kind < firmware::k_texture_kind_count; ++kind) {
+    needs.textures[kind] = any_tree_surface(scene, tree, [kind](const Surface& s) {
+      return s.texture && static_cast<int>(kind_of(*s.texture)) == kind;
+    });
+    needs.textured = needs.textured || needs.textures[kind];
+  }
+  needs.samples = scene.samples && scene.samples->per_side > 1;
   needs.reflections = needs.specular && scene.ray_tree.depth > 0;
   return needs;
 }
@@ -95,6 +115,13 @@ void for_each_need(firmware::Needs& needs, Visit visit) {
   visit("ambient light", needs.ambient);
   visit("secondary rays", needs.reflections);
   visit("depth of pixels", needs.depth);
+  visit("ambient light of surfaces", needs.surface_ambient);
+  visit("shaped lights", needs.shaped_lights);
+  for (int kind = 0; kind < firmware::k_texture_kind_count; ++kind) {
+    visit(std::string{firmware::k_textures.rows[kind].name} + " texture", needs.textures[kind]);
+  }
+  visit("textures", needs.textured);
+  visit("several rays a pixel", needs.samples);
 }
 
 }  // namespace

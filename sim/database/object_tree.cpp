@@ -34,16 +34,23 @@ class TreeBuilder {
     for (std::size_t i = 0; i < scene.surfaces.size(); ++i) {
       surfaces_.emplace(scene.surfaces[i].name, i);
     }
-    const Node root = node_of(scene.object, Placement(1.0), scene.object.surface);
+    const Node root = node_of(scene.object, Placement(1.0), {scene.object.surface, Placement(1.0)});
     number_nodes(root);
   }
 
   ObjectTree take() { return std::move(tree_); }
 
  private:
-  Node node_of(const Object& object, const Placement& above, const std::string& inherited) {
+  /// A surface by its name, and the frame of the object that names it.
+  struct NamedSurface {
+    const std::string& name;
+    Placement frame;
+  };
+
+  Node node_of(const Object& object, const Placement& above, const NamedSurface& inherited) {
     const Placement placement = concatenated(above, object.placement);
-    const std::string& surface = object.surface.empty() ? inherited : object.surface;
+    const NamedSurface surface =
+        object.surface.empty() ? inherited : NamedSurface{object.surface, placement};
     if (object.primitive) {
       return leaf_of(*object.primitive, placement, surface);
     }
@@ -69,13 +76,16 @@ class TreeBuilder {
     return result;
   }
 
-  Node leaf_of(const Primitive& primitive, const Placement& placement, const std::string& surface) {
+  Node leaf_of(const Primitive& primitive, const Placement& placement,
+               const NamedSurface& surface) {
     const LocalFrame frame = frame_of(primitive);
     TreeLeaf leaf;
     leaf.kind = frame.kind;
-    leaf.surface = surfaces_.at(surface);
+    leaf.surface = surfaces_.at(surface.name);
     leaf.parameters = frame.parameters;
     leaf.to_scene = concatenated(placement, frame.to_object);
+    leaf.own_frame = placement;
+    leaf.surface_frame = surface.frame;
     tree_.leaves.push_back(leaf);
     Node node;
     node.index = tree_.leaves.size() - 1;

@@ -14,6 +14,8 @@ struct TreeLeaf {
   std::size_t surface = 0;  ///< into Scene::surfaces
   std::vector<double> parameters;
   Placement to_scene{1.0};
+  Placement own_frame{1.0};  ///< of the primitive, in which its shape is described, to the scene
+  Placement surface_frame{1.0};  ///< of the object that names its surface, to the scene
 };
 
 /// The object tree of a scene as the firmware wants it: binary, leaves first, children before

@@ -1,11 +1,14 @@
 #include "sim/database/packed_scene.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
 #include <unordered_map>
 
 #include "firmware/arithmetic/counted.hpp"
 #include "sim/database/needs.hpp"
 #include "sim/database/surface_packing.hpp"
+#include "sim/database/texture_packing.hpp"
 #include "sim/primitives/primitive_table.hpp"
 #include "sim/scene/placement.hpp"
 
@@ -98,6 +101,19 @@ class UsedSurfaces {
     }
   }
 
+  /// The ambient lights that they have of their own.
+  template <class Real>
+  [[nodiscard]] std::vector<firmware::Color<Real>> ambients(const Scene& scene) const {
+    std::vector<firmware::Color<Real>> ambients(packed_.size());
+    for (std::size_t i = 0; i < number_.size(); ++i) {
+      if (number_[i] >= 0) {
+        ambients[static_cast<std::size_t>(number_[i])] =
+            rounded<Real>(scene.surfaces[i].ambient.value_or(Color(0, 0, 0)));
+      }
+    }
+    return ambients;
+  }
+
   [[nodiscard]] firmware::SurfaceIndex number_of(std::size_t surface) const {
     return static_cast<firmware::SurfaceIndex>(number_[surface]);
   }
@@ -128,6 +144,55 @@ void pack_leaves(const Scene& scene, const ObjectTree& tree, const UsedSurfaces&
   }
 }
 
+/// A point in the frame of a light, in that of the scene.
+Vector3 placed(const Light& light, const Vector3& point) {
+  return light.placement ? *light.placement * glm::dvec4(point, 1) : point;
+}
+
+firmware::LightShape<double> shape_of(const Light& light) {
+  constexpr double k_radians = firmware::elementary::k_pi / 180;
+  constexpr double k_no_spot = -2;
+  firmware::LightShape<double> shape{};
+  shape.reference_squared = light.falloff ? *light.falloff * *light.falloff : 0;
+  shape.axis = {0, 0, 0};
+  shape.edge_cosine = k_no_spot;
+  if (light.spot) {
+    shape.axis = glm::normalize(placed(light, light.spot->target) - placed(light, light.position));
+    const double whole = std::cos(light.spot->angle_deg * k_radians);
+    shape.edge_cosine = std::cos((light.spot->angle_deg + light.spot->edge_deg) * k_radians);
+    shape.per_cosine = 1 / (whole - shape.edge_cosine);
+  }
+  return shape;
+}
+
+template <class Real>
+void pack_lights(const std::vector<Light>& lights, PackedScene<Real>& packed) {
+  for (const Light& light : lights) {
+    packed.lights.push_back(
+        {rounded<Real>(placed(light, light.position)), rounded<Real>(light.intensity)});
+    const firmware::LightShape<double> shape = shape_of(light);
+    packed.light_shapes.push_back({rounded<Real>(shape.reference_squared),
+                                   rounded<Real>(shape.axis), rounded<Real>(shape.edge_cosine),
+                                   rounded<Real>(shape.per_cosine)});
+  }
+}
+
+template <class Real>
+void pack_textures(const PackedTextures& textures, PackedScene<Real>& packed) {
+  for (const firmware::Texture<double>& texture : textures.textures) {
+    packed.textures.push_back({rounded<Real>(Placement(texture.from_leaf)),
+                               {rounded<Real>(texture.colors[0]), rounded<Real>(texture.colors[1])},
+                               rounded<Real>(texture.columns_per_turn),
+                               rounded<Real>(texture.rows_per_turn),
+                               texture.first_texel,
+                               texture.columns,
+                               texture.rows,
+                               texture.kind});
+  }
+  packed.leaf_textures = textures.of_leaves;
+  packed.texels = textures.texels;
+}
+
 }  // namespace
 
 template <class Real>
@@ -141,9 +206,8 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) 
   for (const firmware::Surface<double>& surface : surfaces.packed()) {
     packed.surfaces.push_back(rounded<Real>(surface));
   }
-  for (const Light& light : scene.lights) {
-    packed.lights.push_back({rounded<Real>(light.position), rounded<Real>(light.intensity)});
-  }
+  pack_lights(scene.lights, packed);
+  pack_textures(packed_textures(scene, tree), packed);
   firmware::Database<Real>& header = packed.header;
   header.leaf_count = static_cast<firmware::NodeIndex>(packed.leaves.size());
   header.composite_count = static_cast<firmware::NodeIndex>(packed.composites.size());
@@ -156,8 +220,18 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) 
   header.background = rounded<Real>(scene.background);
   header.ray_depth = scene.ray_tree.depth;
   header.minimum_weight = rounded<Real>(scene.ray_tree.minimum_weight);
+  header.texture_count = static_cast<std::uint16_t>(packed.textures.size());
+  header.texel_count = static_cast<std::uint32_t>(packed.texels.size() / firmware::k_texel_bytes);
+  const Samples samples = scene.samples.value_or(Samples{});
+  header.samples = {samples.per_side, rounded<Real>(samples.contrast)};
   header.needs = needs_of(scene, tree, surfaces.packed());
   header.needs.depth = format.has_depth;
+  if (header.needs.surface_ambient) {
+    packed.surface_ambients = surfaces.ambients<Real>(scene);
+  }
+  if (!header.needs.shaped_lights) {
+    packed.light_shapes.clear();
+  }
   return packed;
 }
 

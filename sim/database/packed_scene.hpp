@@ -17,6 +17,11 @@ struct PackedScene {
   std::vector<Real> parameters;
   std::vector<firmware::Surface<Real>> surfaces;
   std::vector<firmware::Light<Real>> lights;
+  std::vector<firmware::Color<Real>> surface_ambients;
+  std::vector<firmware::LightShape<Real>> light_shapes;
+  std::vector<std::uint16_t> leaf_textures;
+  std::vector<firmware::Texture<Real>> textures;
+  std::vector<std::uint8_t> texels;
   firmware::Database<Real> header{};  ///< all but the pointers
   int tree_height = 0;
 
@@ -28,6 +33,11 @@ struct PackedScene {
     view.parameters = parameters.data();
     view.surfaces = surfaces.data();
     view.lights = lights.data();
+    view.surface_ambients = surface_ambients.data();
+    view.light_shapes = light_shapes.data();
+    view.leaf_textures = leaf_textures.data();
+    view.textures = textures.data();
+    view.texels = texels.data();
     return view;
   }
 };

@@ -20,12 +20,14 @@ class PreparedScene {
         leaves_(packed_.leaves.size()),
         extents_(packed_.leaves.size() + packed_.composites.size()),
         surfaces_(packed_.surfaces.size()),
-        light_positions_(packed_.lights.size()) {
+        light_positions_(packed_.lights.size()),
+        light_axes_(packed_.light_shapes.size()) {
     frame_.database = packed_.database();
     frame_.prepared.leaves = leaves_.data();
     frame_.prepared.extents = extents_.data();
     frame_.prepared.surfaces = surfaces_.data();
     frame_.prepared.light_positions = light_positions_.data();
+    frame_.prepared.light_axes = light_axes_.data();
     firmware::preprocess(frame_.database, frame_.prepared);
   }
   PreparedScene(const PreparedScene&) = delete;
@@ -43,6 +45,7 @@ class PreparedScene {
   std::vector<firmware::Extent<Real>> extents_;
   std::vector<firmware::PreparedSurface<Real>> surfaces_;
   std::vector<firmware::Vector<Real>> light_positions_;
+  std::vector<firmware::Vector<Real>> light_axes_;
   firmware::Frame<Real> frame_{};
 };
 

@@ -37,6 +37,8 @@ void add_prepared(const firmware::Frame<float>& frame, Stacker& stacker) {
   stacker.add_array(k_use, frame.prepared.extents, database.node_count());
   stacker.add_array(k_use, frame.prepared.surfaces, database.surface_count);
   stacker.add_array(k_use, frame.prepared.light_positions, database.light_count);
+  stacker.add_array(k_use, frame.prepared.light_axes,
+                    database.needs.shaped_lights ? database.light_count : 0U);
 }
 
 }  // namespace

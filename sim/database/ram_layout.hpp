@@ -44,6 +44,13 @@ void for_each_array(const firmware::Database<float>& database, Visit visit) {
   visit(database.parameters, std::size_t{database.parameter_count});
   visit(database.surfaces, std::size_t{database.surface_count});
   visit(database.lights, std::size_t{database.light_count});
+  const firmware::Needs& needs = database.needs;
+  visit(database.surface_ambients,
+        std::size_t{needs.surface_ambient ? database.surface_count : 0U});
+  visit(database.light_shapes, std::size_t{needs.shaped_lights ? database.light_count : 0U});
+  visit(database.leaf_textures, std::size_t{needs.textured ? database.leaf_count : 0U});
+  visit(database.textures, std::size_t{database.texture_count});
+  visit(database.texels, std::size_t{database.texel_count} * firmware::k_texel_bytes);
 }
 
 }  // namespace maquette::sim

@@ -1,6 +1,7 @@
 #include "sim/database/surface_packing.hpp"
 
 #include "firmware/facets/facet_table.hpp"
+#include "sim/database/texture_packing.hpp"
 
 namespace maquette::sim {
 
@@ -8,7 +9,7 @@ firmware::Surface<double> packed_surface(const Surface& surface) {
   const double half_angle = surface.half_angle_deg * firmware::elementary::k_pi / 180;
   const firmware::FacetShape shape = firmware::distribution_of(surface.facets).shape(half_angle);
   firmware::Surface<double> packed{};
-  packed.diffuse = surface.diffuse;
+  packed.diffuse = packed_diffuse(surface);
   packed.specular = surface.specular;
   packed.metal = surface.metal;
   packed.transparent = surface.transparent;

@@ -1,7 +1,9 @@
 #include "sim/fields/value_types.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <stdexcept>
+#include <system_error>
 
 #include "sim/yaml/nearest_name.hpp"
 
@@ -128,6 +130,33 @@ YamlNode PointListType::write(const std::vector<glm::dvec2>& points) {
 
 std::string TextType::read(const YamlNode& node, std::string_view name) {
   return scalar_text(node, name, "a text");
+}
+
+std::vector<std::uint8_t> HexadecimalType::read(const YamlNode& node, std::string_view name) {
+  constexpr int k_base = 16;
+  const std::string text = scalar_text(node, name, range());
+  std::vector<std::uint8_t> bytes(text.size() / 2);
+  bool is_right = text.size() % 2 == 0;
+  for (std::size_t i = 0; i < bytes.size() && is_right; ++i) {
+    const char* const end = text.data() + 2 * i + 2;
+    const std::from_chars_result result = std::from_chars(end - 2, end, bytes[i], k_base);
+    is_right = result.ec == std::errc{} && result.ptr == end;
+  }
+  if (!is_right) {
+    fail(node, name, "these are not " + range() + ", which are allowed");
+  }
+  return bytes;
+}
+
+YamlNode HexadecimalType::write(const std::vector<std::uint8_t>& bytes) {
+  constexpr std::string_view k_digits = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const std::uint8_t byte : bytes) {
+    text += k_digits[byte >> 4];
+    text += k_digits[byte & 0xF];
+  }
+  return yaml_scalar(std::move(text));
 }
 
 bool FlagType::read(const YamlNode& node, std::string_view name) {

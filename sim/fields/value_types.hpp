@@ -88,6 +88,14 @@ struct TextType {
   [[nodiscard]] static std::string range() { return "text"; }
 };
 
+/// Bytes, two hexadecimal digits each.
+struct HexadecimalType {
+  [[nodiscard]] static std::vector<std::uint8_t> read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::vector<std::uint8_t>& bytes);
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "pairs of hexadecimal digits"; }
+};
+
 struct FlagType {
   [[nodiscard]] static bool read(const YamlNode& node, std::string_view name);
   [[nodiscard]] static YamlNode write(bool value) { return yaml_scalar(value ? "true" : "false"); }

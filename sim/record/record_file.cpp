@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/exr_codec.hpp"
-#include "sim/report/picture_module.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {

@@ -26,6 +26,11 @@ std::vector<unsigned char> scene_image(const firmware::Database<float>& database
   header.parameters = nullptr;
   header.surfaces = nullptr;
   header.lights = nullptr;
+  header.surface_ambients = nullptr;
+  header.light_shapes = nullptr;
+  header.leaf_textures = nullptr;
+  header.textures = nullptr;
+  header.texels = nullptr;
   const std::size_t arrays = image.size();
   image.resize(arrays +
                static_cast<std::size_t>(firmware::board_bytes<firmware::Database<float>>()));

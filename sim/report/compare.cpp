@@ -9,8 +9,8 @@
 #include <limits>
 #include <map>
 
+#include "sim/picture/image_file.hpp"
 #include "sim/report/flat_yaml.hpp"
-#include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 
 namespace maquette::sim {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "sim/machine/machine_description.hpp"
+#include "sim/scene/picture_files.hpp"
 #include "sim/scene/scene_description.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 #include "sim/yaml/description_error.hpp"
@@ -49,6 +50,8 @@ class Loader {
                       const YamlPlace* place) {
     return load(description_file(name, {kind}, data_, base, place));
   }
+
+  void expand_pictures(YamlNode& scene) { inline_pictures(scene, input_files_); }
 
   /// Replaces a name that stands for a description by that description.
   void expand(YamlNode& node, std::string_view kind) {
@@ -178,6 +181,7 @@ Description read_trees(DescriptionTrees trees, const std::vector<Override>& chan
     apply_to_both(trees.scene, machine, change, loader);
   }
   expand_tables(machine, loader);
+  loader.expand_pictures(trees.scene);
   return {read_scene(trees.scene), read_machine(machine), {}};
 }
 
@@ -194,6 +198,7 @@ void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_
   switch (kind) {
     case DescriptionPart::scene:
       loader.expand(part, "scenes");
+      loader.expand_pictures(part);
       if (YamlNode* machine = part.find("machine")) {
         expand_machine(*machine, loader);
       }

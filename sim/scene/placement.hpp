@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <string_view>
+
 #include "sim/scene/scene.hpp"
 #include "sim/yaml/yaml_node.hpp"
 
@@ -24,5 +27,17 @@ namespace maquette::sim {
 
 /// The placement as a single `matrix` step, which reads back exactly.
 [[nodiscard]] YamlNode write_placement(const Placement& placement);
+
+/// The type of a field that is a placement.
+struct PlacementType {
+  [[nodiscard]] static Placement read(const YamlNode& node, std::string_view /*name*/) {
+    return read_placement(node);
+  }
+  [[nodiscard]] static YamlNode write(const Placement& placement) {
+    return write_placement(placement);
+  }
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "steps: translate, scale, rotate, matrix"; }
+};
 
 }  // namespace maquette::sim

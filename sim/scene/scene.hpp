@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/facets/facet_table.hpp"
+#include "firmware/textures/texture_table.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/primitives/primitive.hpp"
 #include "sim/yaml/source_position.hpp"
@@ -30,12 +32,46 @@ struct View {
   std::optional<Screen> screen;
 };
 
+/// A light that shines in a cone only.
+struct Spot {
+  Vector3 target{0, 0, 0};  ///< a point on the cone's axis
+  double angle_deg = 30;    ///< from the axis, within which it shines whole
+  double edge_deg = 5;      ///< over which it falls to nothing beyond that
+};
+
 /// A distant point source: a facing surface receives `intensity` whatever its distance (the paper's
-/// approximation of remote sources, section III.1).
+/// approximation of remote sources, section III.1), unless it says how its light falls off.
 struct Light {
   std::string name;
   Vector3 position{0, 0, 0};
   Color intensity{1, 1, 1};
+  std::optional<double> falloff;  ///< distance at which it has its intensity, in scene units
+  std::optional<Spot> spot;
+  std::optional<Placement> placement;  ///< of the position and of a spot's target
+};
+
+/// The texels of a picture, rows from the top, three bytes red, green, blue each.
+struct TexturePicture {
+  int columns = 0;
+  int rows = 0;
+  std::vector<std::uint8_t> texels;
+};
+
+/// In which frame the pattern of a texture lies: that of each primitive, or that of the object that
+/// names the surface.
+enum class TextureFrame { primitive, object };
+
+/// What the diffuse share of a surface shows instead of one colour: a pattern of the surface's and
+/// a second one, or a picture, which the surface's tints. Exactly one of them is given.
+struct Texture {
+  std::optional<firmware::TextureKind> pattern;
+  Color color{0, 0, 0};  ///< the second of a pattern
+  double size = 1;       ///< of a pattern's cell, in units of its frame
+  TextureFrame frame = TextureFrame::object;
+  std::optional<Placement> placement;  ///< of the pattern in its frame
+  std::optional<TexturePicture> picture;
+  int repeat_u = 1;  ///< of the picture, over the whole range of a surface's parameters
+  int repeat_v = 1;
 };
 
 /// A named surface and, for transparent bodies, the matter behind it (paper, section III).
@@ -49,7 +85,9 @@ struct Surface {
   firmware::FacetKind facets = firmware::facet_kind_of<firmware::cosine_power::Kind>;
   double half_angle_deg = 10;  ///< Blinn's beta: where the facet distribution falls to one half
   bool transparent = false;
-  Color absorption{0, 0, 0};  ///< per scene unit of length
+  Color absorption{0, 0, 0};     ///< per scene unit of length
+  std::optional<Color> ambient;  ///< uniform light besides that of the scene
+  std::optional<Texture> texture;
   SourcePosition position_in_file;
 };
 
@@ -81,6 +119,13 @@ struct PaperTime {
   std::string source;  ///< where the paper states it
 };
 
+/// Rays of a pixel: a regular grid. With a contrast, all of them only where those in its corners
+/// differ by more.
+struct Samples {
+  int per_side = 1;
+  double contrast = 0;
+};
+
 /// A checked scene: every name resolves, every value is in its range.
 struct Scene {
   std::string name;
@@ -92,6 +137,7 @@ struct Scene {
   std::vector<Surface> surfaces;
   RayTree ray_tree;
   Roots roots;
+  std::optional<Samples> samples;
   bool shadows = true;
   Object object;
 };

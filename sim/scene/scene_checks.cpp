@@ -40,6 +40,29 @@ void check_opaque_below(const Object& object, const std::string& surface_above,
   }
 }
 
+void check_texture(const Surface& surface, const YamlNode& node) {
+  const Texture& texture = *surface.texture;
+  if (texture.pattern.has_value() == texture.picture.has_value()) {
+    throw DescriptionError(node.place.position(),
+                           "texture: one of pattern, picture is allowed and needed");
+  }
+  if (surface.specular == 1) {
+    throw DescriptionError(node.place.position(),
+                           "texture: it is seen on the diffuse share, of which a surface with "
+                           "specular 1 has none; less is allowed");
+  }
+  if (texture.picture) {
+    const std::size_t needed = firmware::k_texel_bytes *
+                               static_cast<std::size_t>(texture.picture->columns) *
+                               static_cast<std::size_t>(texture.picture->rows);
+    if (texture.picture->texels.size() != needed) {
+      fail(*node.find("picture"), "texels",
+           std::to_string(texture.picture->texels.size()) + " bytes, but columns and rows need " +
+               std::to_string(needed));
+    }
+  }
+}
+
 /// The most rays that may follow one through transparent bodies: each is followed by two, and those
 /// of one depth together weigh no more than the first.
 double most_rays(const RayTree& tree) {
@@ -56,6 +79,23 @@ double most_rays(const RayTree& tree) {
 
 void check_opaque(const Scene& scene) {
   check_opaque_below(scene.object, scene.object.surface, scene.surfaces);
+}
+
+void check_light(const Light& light, const YamlNode& node) {
+  if (light.spot && light.spot->target == light.position) {
+    fail(*node.find("spot"), "target",
+         "it is where the light is, so there is no direction to shine");
+  }
+}
+
+void check_samples(const Samples& samples, const YamlNode& node) {
+  constexpr int k_fewest = 3;
+  if (samples.contrast > 0 && samples.per_side < k_fewest) {
+    fail(
+        node, "contrast",
+        "a grid of less than 3 rays a side has none besides its corners; 0 or a larger per_side is "
+        "allowed");
+  }
 }
 
 void check_view(const View& view, const YamlNode& node) {
@@ -90,6 +130,9 @@ void check_surface(const Surface& surface, const YamlNode& node) {
       (surface.index.x + surface.extinction.x == 0 || surface.index.y + surface.extinction.y == 0 ||
        surface.index.z + surface.extinction.z == 0)) {
     fail(node, "metal", "index and extinction are both 0 for one colour");
+  }
+  if (surface.texture) {
+    check_texture(surface, *node.find("texture"));
   }
   if (!surface.transparent && surface.absorption != Color{0, 0, 0}) {
     fail(node, "absorption", "it needs `transparent: true`");

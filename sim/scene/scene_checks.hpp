@@ -8,7 +8,9 @@ namespace maquette::sim {
 /// Checks what no single value shows; `node` is what the value was read from. Throws
 /// DescriptionError.
 void check_view(const View& view, const YamlNode& node);
+void check_light(const Light& light, const YamlNode& node);
 void check_surface(const Surface& surface, const YamlNode& node);
+void check_samples(const Samples& samples, const YamlNode& node);
 
 /// What holds no matter needs an opaque surface.
 void check_opaque(const Scene& scene);

@@ -29,7 +29,7 @@ void declare_named(Visitor& visitor, Surface& surface) {
   declare_surface(visitor, surface);
 }
 
-void finish_named(Light& /*light*/, const YamlEntry& /*entry*/) {}
+void finish_named(Light& light, const YamlEntry& entry) { check_light(light, entry.value); }
 
 void finish_named(Surface& surface, const YamlEntry& entry) {
   surface.position_in_file = entry.place.position();
@@ -118,6 +118,9 @@ Scene read_scene(const YamlNode& root) {
   check_view(scene.view, nearest_node(root, "view"));
   check_opaque(scene);
   check_ray_tree(scene, root);
+  if (scene.samples) {
+    check_samples(*scene.samples, *root.find("samples"));
+  }
   return scene;
 }
 
@@ -137,6 +140,7 @@ std::vector<ParameterRow> list_parameters(const Scene& scene) {
   plain.background = scene.background;
   plain.shadows = scene.shadows;
   plain.ray_tree = scene.ray_tree;
+  plain.samples = scene.samples;
   Scene standard;
   ParameterTable table;
   ParameterTable defaults;

@@ -4,10 +4,14 @@
 
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
+#include "sim/scene/placement.hpp"
 #include "sim/scene/scene.hpp"
 
 /// Every parameter of a scene besides its object tree, declared once.
 namespace maquette::sim {
+
+/// The most texels along one side of a picture: more do not fit into any board.
+inline constexpr int k_most_texels_a_side = 4096;
 
 inline constexpr TripleType k_point{{-k_largest_length, k_largest_length}};
 inline constexpr TripleType k_intensity{{0, 1e6}, true};
@@ -38,10 +42,39 @@ void declare_view(Visitor& visitor, View& view) {
 }
 
 template <class Visitor>
+void declare_spot(Visitor& visitor, Spot& spot) {
+  visitor.field(required("target", "a point that it is turned to"), spot.target, k_point);
+  visitor.field({"angle", "from its axis, within which it shines whole"}, spot.angle_deg,
+                RealType{RealDimension::angle, {0, 170}});
+  visitor.field({"edge", "over which it falls to nothing beyond that"}, spot.edge_deg,
+                RealType{RealDimension::angle, {0.01, 10}});
+}
+
+/// A group that is there or not, as an optional value.
+template <class Visitor, class Value, class Body>
+void declare_optional(Visitor& visitor, const Declaration& declaration, std::optional<Value>& value,
+                      Body body) {
+  bool is_there = value.has_value();
+  Value kept = value.value_or(Value{});
+  visitor.optional_group(declaration, is_there, [&] { body(kept); });
+  if (is_there) {
+    value = std::move(kept);
+  }
+}
+
+template <class Visitor>
 void declare_light(Visitor& visitor, Light& light) {
+  visitor.field({"place", "of its position and target, as of an object"}, light.placement,
+                PlacementType{});
   visitor.field(required("position", "of the point source"), light.position, k_point);
   visitor.field({"intensity", "what a facing surface receives: red, green, blue"}, light.intensity,
                 k_intensity);
+  visitor.field({"falloff",
+                 "distance at which it has its intensity, which falls off with the "
+                 "square of the distance; without it, it is the same everywhere"},
+                light.falloff, k_length);
+  declare_optional(visitor, {"spot", "shines in a cone only"}, light.spot,
+                   [&](Spot& spot) { declare_spot(visitor, spot); });
 }
 
 /// The rows of the firmware's table of distributions.
@@ -60,6 +93,56 @@ void declare_facets(Visitor& visitor, Surface& surface) {
                 facet_choices());
   visitor.field({"half_angle", "where the distribution falls to one half"}, surface.half_angle_deg,
                 RealType{RealDimension::angle, {0.01, 89}});
+}
+
+/// The patterns among the rows of the firmware's table of textures.
+inline ChoiceType<firmware::TextureKind> pattern_choices() {
+  ChoiceType<firmware::TextureKind> type;
+  for (int kind = 0; kind < firmware::k_texture_kind_count; ++kind) {
+    const firmware::TextureDescription& row = firmware::k_textures.rows[kind];
+    if (!row.is_mapped) {
+      type.choices.emplace_back(row.name, static_cast<firmware::TextureKind>(kind));
+    }
+  }
+  return type;
+}
+
+template <class Visitor>
+void declare_picture(Visitor& visitor, TexturePicture& picture) {
+  const WholeType side{WholeDimension::count, {1, k_most_texels_a_side}};
+  visitor.field(required("columns", "of texels"), picture.columns, side);
+  visitor.field(required("rows", "of texels"), picture.rows, side);
+  visitor.field(required("texels", "from the top left: red, green, blue as hexadecimal bytes"),
+                picture.texels, HexadecimalType{});
+}
+
+/// A pattern or a picture.
+template <class Visitor>
+void declare_texture(Visitor& visitor, Texture& texture) {
+  const ChoiceType<TextureFrame> frames{
+      {{"object", TextureFrame::object}, {"primitive", TextureFrame::primitive}}};
+  visitor.field({"pattern", "of two colours in turn; or give a picture"}, texture.pattern,
+                pattern_choices());
+  declare_optional(
+      visitor, {"picture", "a PNG file of 24 bits, or its texels; tinted by `diffuse`"},
+      texture.picture, [&](TexturePicture& picture) { declare_picture(visitor, picture); });
+  if (!texture.picture) {
+    visitor.field({"color", "the second, besides `diffuse`: red, green, blue"}, texture.color,
+                  k_reflectance);
+    visitor.field({"size", "of a cell of the pattern"}, texture.size, k_length);
+    visitor.field({"frame",
+                   "that the pattern lies in: of the object with the surface, or of each "
+                   "primitive"},
+                  texture.frame, frames);
+    visitor.field({"place", "of the pattern in its frame, as of an object"}, texture.placement,
+                  PlacementType{});
+  }
+  if (!texture.pattern) {
+    const WholeType repeats{WholeDimension::count, {1, 1000}};
+    visitor.field({"repeat_u", "times the picture goes along the surface's first parameter"},
+                  texture.repeat_u, repeats);
+    visitor.field({"repeat_v", "and along the second"}, texture.repeat_v, repeats);
+  }
 }
 
 /// A dielectric gives `index`, a metal `metal: {index, extinction}`.
@@ -88,6 +171,20 @@ void declare_surface(Visitor& visitor, Surface& surface) {
   declare_facets(visitor, surface);
   visitor.field({"absorption", "of the body per scene unit: red, green, blue"}, surface.absorption,
                 TripleType{{0, 1e9}, true});
+  visitor.field({"ambient", "uniform light besides that of the scene: red, green, blue"},
+                surface.ambient, k_intensity);
+  declare_optional(visitor, {"texture", "a pattern or a picture on the diffuse share"},
+                   surface.texture, [&](Texture& texture) { declare_texture(visitor, texture); });
+}
+
+template <class Visitor>
+void declare_samples(Visitor& visitor, Samples& samples) {
+  visitor.field(required("per_side", "of a regular grid of rays over each pixel"), samples.per_side,
+                WholeType{WholeDimension::count, {1, 16}});
+  visitor.field({"contrast",
+                 "between rays in the grid's corners, from which on the others are cast; "
+                 "0: always"},
+                samples.contrast, RealType{RealDimension::fraction, {0, 1}});
 }
 
 template <class Visitor>
@@ -130,6 +227,8 @@ void declare_scene(Visitor& visitor, Scene& scene) {
                 k_intensity);
   visitor.field({"background", "where no object is: red, green, blue"}, scene.background,
                 k_intensity);
+  declare_optional(visitor, {"samples", "rays of each pixel; without it one"}, scene.samples,
+                   [&](Samples& samples) { declare_samples(visitor, samples); });
   visitor.field({"shadows", "lights are blocked by objects"}, scene.shadows, FlagType{});
   visitor.group({"ray_tree", "where the binary tree of rays ends"},
                 [&] { declare_ray_tree(visitor, scene.ray_tree); });

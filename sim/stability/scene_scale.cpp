@@ -28,6 +28,13 @@ double most_ties(const PictureFormat& format) {
   return std::floor(expected + 3 * std::sqrt(expected));
 }
 
+Placement scaled(Placement placement, double scale) {
+  for (int column = 0; column < 4; ++column) {
+    placement[column] *= scale;
+  }
+  return placement;
+}
+
 struct ScaleTally {
   int worst = 0;
   int unsound = 0;
@@ -44,14 +51,15 @@ Scene scaled(Scene scene, double scale) {
   scene.view.eye *= scale;
   scene.view.target *= scale;
   for (Light& light : scene.lights) {
-    light.position *= scale;
+    light.placement = scaled(light.placement.value_or(Placement(1.0)), scale);
+    if (light.falloff) {
+      *light.falloff *= scale;
+    }
   }
   for (Surface& surface : scene.surfaces) {
     surface.absorption /= scale;
   }
-  for (int column = 0; column < 4; ++column) {
-    scene.object.placement[column] *= scale;
-  }
+  scene.object.placement = scaled(scene.object.placement, scale);
   return scene;
 }
 

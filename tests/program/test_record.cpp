@@ -1,4 +1,4 @@
-#include "sim/report/image_file.hpp"
+#include "sim/picture/image_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/program.hpp"
 

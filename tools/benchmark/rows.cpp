@@ -2,7 +2,7 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "sim/database/frame_synthesis.hpp"
-#include "sim/report/image_file.hpp"
+#include "sim/picture/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/scene/description_loader.hpp"
 #include "tools/benchmark/child_process.hpp"

@@ -2,8 +2,8 @@
 #include <random>
 #include <set>
 
+#include "sim/picture/image_file.hpp"
 #include "sim/report/compare.hpp"
-#include "sim/report/image_file.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"

@@ -201,13 +201,34 @@ TEST_CASE("trees of rays that would not end are refused") {
 TEST_CASE("surfaces that cannot be are refused") {
   check_error(with_surface("  red: {index: [1, 2, 3]}"), "scene.yaml:5:16: index: ", "same index");
   check_error(with_surface("  red: {transparent: true, specular: 0}"),
-              "scene.yaml:5:27: specular: ", "above 0 to 1");
+              "scene.yaml:5:38: specular: ", "above 0 to 1");
   CHECK(with_surface("  red: {transparent: true}").empty());
   check_error(with_surface("  red: {absorption: 1}"), "scene.yaml:5:21: ", "transparent: true");
   check_error(with_surface("  red: {metal: {index: 1, extinction: 1}, transparent: true}"),
               "scene.yaml:5:56: transparent: ", "opaque");
   check_error(with_surface("  red: {metal: {index: 0, extinction: 0}}"),
               "scene.yaml:5:16: metal: ", "both 0");
+}
+
+TEST_CASE("textures, lights and samples that cannot be are refused") {
+  check_error(with_surface("  red: {texture: {size: 2}}"),
+              "scene.yaml:5:18: texture: ", "one of pattern, picture");
+  check_error(with_surface("  red: {texture: {pattern: dots}}"),
+              "scene.yaml:5:28: pattern: ", "checker, bands, rings");
+  check_error(with_surface("  red: {specular: 1, texture: {pattern: bands}}"),
+              "scene.yaml:5:31: texture: ", "less is allowed");
+  check_error(with_surface("  red: {texture: {pattern: bands, repeat_u: 2}}"),
+              "scene.yaml:5:35: ", "repeat_u");
+  check_error(with_lights("lights: {key: {position: [1, 2, 3], spot: {target: [1, 2, 3]}}}"),
+              "scene.yaml:2:52: target: ", "no direction");
+  check_error(with_lights("lights: {key: {position: [1, 2, 3], falloff: 0}}"),
+              "scene.yaml:2:46: falloff: ", "above 0");
+  check_error(with_lights("lights: {key: {position: [1, 2, 3], place: {scale: 0}}}"),
+              "scene.yaml:2:52: scale: ", "flattens");
+  check_error(with_rest("samples: {per_side: 2, contrast: 0.1}"),
+              "scene.yaml:3:34: contrast: ", "larger per_side");
+  check_error(with_rest("samples: {per_side: 17}"), "scene.yaml:3:21: per_side: ", "1 to 16");
+  CHECK(with_rest("samples: {per_side: 3, contrast: 0.1}").empty());
 }
 
 TEST_CASE("objects that cannot be are refused") {

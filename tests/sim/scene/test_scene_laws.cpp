@@ -56,6 +56,13 @@ std::vector<Surface> all_surfaces() {
   surfaces[3].specular = 1;
   surfaces[3].transparent = true;
   surfaces[3].absorption = {0.1, 0.3, 0.05};
+  surfaces[0].ambient = Color(0.1, 0.2, 0.3);
+  surfaces[0].texture = Texture{};
+  surfaces[0].texture->pattern = firmware::texture_kind_of<firmware::rings::Kind>;
+  surfaces[0].texture->color = {0.3, 0.2, 0.1};
+  surfaces[0].texture->size = 0.25;
+  surfaces[0].texture->frame = TextureFrame::primitive;
+  surfaces[0].texture->placement = Placement(1.0);
   return surfaces;
 }
 
@@ -85,7 +92,8 @@ Scene lively_scene() {
   scene.view.target = {0, 0, 0.7};
   scene.view.up = {0, 0, 1};
   scene.view.field_of_view_deg = 40;
-  scene.lights = {{"key", {6, -9, 12}, {0.8, 0.8, 0.7}}, {"fill", {-9, -5, 6}, {0.3, 0.3, 0.4}}};
+  scene.lights = {{"key", {6, -9, 12}, {0.8, 0.8, 0.7}, {}, {}, {}},
+                  {"fill", {-9, -5, 6}, {0.3, 0.3, 0.4}, 9.0, Spot{{0, 0, 0}, 20, 9}, {}}};
   scene.ambient = {0.15, 0.15, 0.15};
   scene.background = {0.1, 0.2, 0.4};
   scene.surfaces = all_surfaces();
@@ -113,7 +121,7 @@ Scene placed_elsewhere(Scene scene, const Placement& placement) {
   scene.view.target = point(scene.view.target);
   scene.view.up = firmware::transform_direction(placement, scene.view.up);
   for (Light& light : scene.lights) {
-    light.position = point(light.position);
+    light.placement = placement;
   }
   scene.object.placement = firmware::concatenate(placement, scene.object.placement);
   return scene;

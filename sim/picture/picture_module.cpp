@@ -1,11 +1,11 @@
-#include "sim/report/picture_module.hpp"
+#include "sim/picture/picture_module.hpp"
 
 #include <dlfcn.h>
 
 #include <stdexcept>
 #include <string>
 
-#include "sim/report/program_tree.hpp"
+#include "sim/picture/program_tree.hpp"
 
 namespace maquette::sim {
 

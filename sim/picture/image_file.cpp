@@ -1,10 +1,10 @@
-#include "sim/report/image_file.hpp"
+#include "sim/picture/image_file.hpp"
 
 #include <cstdint>
 #include <stdexcept>
 
+#include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/png_codec.hpp"
-#include "sim/report/picture_module.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {

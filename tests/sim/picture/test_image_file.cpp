@@ -2,7 +2,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/report/image_file.hpp"
+#include "sim/picture/image_file.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
 

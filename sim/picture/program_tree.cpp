@@ -1,4 +1,4 @@
-#include "sim/report/program_tree.hpp"
+#include "sim/picture/program_tree.hpp"
 
 namespace maquette::sim {
 
