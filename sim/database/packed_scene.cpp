@@ -7,6 +7,7 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "sim/database/needs.hpp"
+#include "sim/database/observer_packing.hpp"
 #include "sim/database/surface_packing.hpp"
 #include "sim/database/texture_packing.hpp"
 #include "sim/primitives/primitive_table.hpp"
@@ -50,40 +51,15 @@ firmware::Surface<Real> rounded(const firmware::Surface<double>& s) {
           rounded<Real>(s.absorption)};
 }
 
-/// Screen frame to scene frame: x to the right, y up, z from the eye to the target.
-Placement screen_frame(const View& view) {
-  const Vector3 forward = glm::normalize(view.target - view.eye);
-  const Vector3 right = glm::normalize(glm::cross(forward, view.up));
-  const Vector3 up = glm::cross(right, forward);
-  return {right.x,   right.y,   right.z,   up.x,       up.y,       up.z,
-          forward.x, forward.y, forward.z, view.eye.x, view.eye.y, view.eye.z};
-}
-
-/// Height of the screen one unit in front of the eye.
-double screen_height(const View& view, const PictureFormat& format) {
-  if (view.field_of_view_deg) {
-    const double half = *view.field_of_view_deg / 2 * (firmware::elementary::k_pi / 180);
-    return 2 * firmware::sine(half) / firmware::cosine(half);
-  }
-  // Pixels are square: the screen's larger demand decides, the other side shows more.
-  const double by_height = view.screen->height / view.screen->distance;
-  const double by_width = view.screen->width / view.screen->distance * format.height / format.width;
-  return std::max(by_height, by_width);
-}
-
 template <class Real>
-firmware::Observer<Real> observer_of(const View& view, const PictureFormat& format) {
-  const Placement from_screen = screen_frame(view);
-  const double step = screen_height(view, format) / format.height;
-  firmware::Observer<Real> observer;
-  observer.from_screen = rounded<Real>(from_screen);
-  observer.to_screen = rounded<Real>(inverse_of(from_screen));
-  observer.step = rounded<Real>(step);
-  observer.left = rounded<Real>(-step * (format.width - 1) / 2);
-  observer.top = rounded<Real>(step * (format.height - 1) / 2);
-  observer.columns = format.width;
-  observer.rows = format.height;
-  return observer;
+firmware::Observer<Real> rounded(const firmware::Observer<double>& observer) {
+  return {rounded<Real>(Placement(observer.to_screen)),
+          rounded<Real>(Placement(observer.from_screen)),
+          rounded<Real>(observer.left),
+          rounded<Real>(observer.top),
+          rounded<Real>(observer.step),
+          observer.columns,
+          observer.rows};
 }
 
 /// Numbers the surfaces that leaves have, in the order of their declaration.
@@ -215,7 +191,7 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) 
   header.surface_count = static_cast<firmware::SurfaceIndex>(packed.surfaces.size());
   header.light_count = static_cast<std::uint16_t>(packed.lights.size());
   header.root = tree.root;
-  header.observer = observer_of<Real>(scene.view, format);
+  header.observer = rounded<Real>(observer_of(scene.view, format));
   header.ambient = rounded<Real>(scene.ambient);
   header.background = rounded<Real>(scene.background);
   header.ray_depth = scene.ray_tree.depth;

@@ -16,14 +16,18 @@ namespace maquette::sim {
 
 using Color = glm::dvec3;  ///< red, green, blue; linear
 
-/// The screen as a rectangle in front of the eye, in scene units.
+/// The screen as a rectangle, in scene units: in front of the eye, or placed like an object, as a
+/// window that may be off the centre of the view and oblique to it.
 struct Screen {
-  double distance = 1;
+  double distance = 1;  ///< from the eye, unless it is placed
   double width = 1;
   double height = 1;
+  /// Of a rectangle around the origin with x to the right and y up, seen from z above 0.
+  std::optional<Placement> placement;
 };
 
-/// The observer (paper, section II.1): exactly one of field_of_view_deg and screen is given.
+/// The observer (paper, section II.1): exactly one of field_of_view_deg and screen is given. A
+/// screen that is placed takes the place of target and up.
 struct View {
   Vector3 eye{0, 0, 0};
   Vector3 target{0, 0, -1};

@@ -1,6 +1,7 @@
 #include "sim/scene/scene_checks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <string>
 #include <string_view>
@@ -98,7 +99,26 @@ void check_samples(const Samples& samples, const YamlNode& node) {
   }
 }
 
+void check_screen(const View& view, const YamlNode& node) {
+  constexpr double k_largest_cosine = 1e-9;
+  const Placement& place = *view.screen->placement;
+  const Vector3 right = glm::normalize(place[0]);
+  const Vector3 up = glm::normalize(place[1]);
+  if (std::abs(glm::dot(right, up)) > k_largest_cosine) {
+    fail(node, "place", "the screen's sides must stay perpendicular, since pixels are square");
+  }
+  const double distance = glm::dot(glm::cross(right, up), view.eye - place[3]);
+  if (!(distance > k_largest_cosine * glm::length(view.eye - place[3]))) {
+    fail(node, "place",
+         "the eye is not in front of the screen, which is seen from the side of its z above 0");
+  }
+}
+
 void check_view(const View& view, const YamlNode& node) {
+  if (view.screen && view.screen->placement) {
+    check_screen(view, *node.find("screen"));
+    return;
+  }
   if (view.eye == view.target) {
     fail(node, "target", "it is where the eye is, so there is no direction to look");
   }

@@ -18,38 +18,6 @@ inline constexpr TripleType k_intensity{{0, 1e6}, true};
 inline constexpr TripleType k_reflectance{{0, 1}, true};
 inline constexpr TripleType k_optical_constant{{0, 100}, true};
 
-template <class Visitor>
-void declare_screen(Visitor& visitor, Screen& screen) {
-  visitor.field(required("distance", "from the eye, in scene units"), screen.distance, k_length);
-  visitor.field(required("width", "in scene units"), screen.width, k_length);
-  visitor.field(required("height", "in scene units"), screen.height, k_length);
-}
-
-template <class Visitor>
-void declare_view(Visitor& visitor, View& view) {
-  visitor.field(required("eye", "where the observer stands"), view.eye, k_point);
-  visitor.field(required("target", "a point in the middle of the picture"), view.target, k_point);
-  visitor.field({"up", "direction that is up in the picture"}, view.up, k_point);
-  visitor.field({"field_of_view", "vertical angle; or give a screen"}, view.field_of_view_deg,
-                RealType{RealDimension::angle, {0.001, 179}});
-  bool has_screen = view.screen.has_value();
-  Screen screen = view.screen.value_or(Screen{});
-  visitor.optional_group({"screen", "rectangle in front of the eye; or give a field_of_view"},
-                         has_screen, [&] { declare_screen(visitor, screen); });
-  if (has_screen) {
-    view.screen = screen;
-  }
-}
-
-template <class Visitor>
-void declare_spot(Visitor& visitor, Spot& spot) {
-  visitor.field(required("target", "a point that it is turned to"), spot.target, k_point);
-  visitor.field({"angle", "from its axis, within which it shines whole"}, spot.angle_deg,
-                RealType{RealDimension::angle, {0, 170}});
-  visitor.field({"edge", "over which it falls to nothing beyond that"}, spot.edge_deg,
-                RealType{RealDimension::angle, {0.01, 10}});
-}
-
 /// A group that is there or not, as an optional value.
 template <class Visitor, class Value, class Body>
 void declare_optional(Visitor& visitor, const Declaration& declaration, std::optional<Value>& value,
@@ -60,6 +28,42 @@ void declare_optional(Visitor& visitor, const Declaration& declaration, std::opt
   if (is_there) {
     value = std::move(kept);
   }
+}
+
+template <class Visitor>
+void declare_screen(Visitor& visitor, Screen& screen) {
+  visitor.field({"place",
+                 "of a rectangle around the origin of x and y, seen from z above 0, as of an "
+                 "object; without it, it is in front of the eye"},
+                screen.placement, PlacementType{});
+  if (!screen.placement) {
+    visitor.field(required("distance", "from the eye, in scene units"), screen.distance, k_length);
+  }
+  visitor.field(required("width", "in scene units"), screen.width, k_length);
+  visitor.field(required("height", "in scene units"), screen.height, k_length);
+}
+
+template <class Visitor>
+void declare_view(Visitor& visitor, View& view) {
+  visitor.field(required("eye", "where the observer stands"), view.eye, k_point);
+  declare_optional(visitor, {"screen", "rectangle in front of the eye; or give a field_of_view"},
+                   view.screen, [&](Screen& screen) { declare_screen(visitor, screen); });
+  if (view.screen && view.screen->placement) {
+    return;  // it says where the eye looks
+  }
+  visitor.field(required("target", "a point in the middle of the picture"), view.target, k_point);
+  visitor.field({"up", "direction that is up in the picture"}, view.up, k_point);
+  visitor.field({"field_of_view", "vertical angle; or give a screen"}, view.field_of_view_deg,
+                RealType{RealDimension::angle, {0.001, 179}});
+}
+
+template <class Visitor>
+void declare_spot(Visitor& visitor, Spot& spot) {
+  visitor.field(required("target", "a point that it is turned to"), spot.target, k_point);
+  visitor.field({"angle", "from its axis, within which it shines whole"}, spot.angle_deg,
+                RealType{RealDimension::angle, {0, 170}});
+  visitor.field({"edge", "over which it falls to nothing beyond that"}, spot.edge_deg,
+                RealType{RealDimension::angle, {0.01, 10}});
 }
 
 template <class Visitor>

@@ -50,6 +50,9 @@ struct ScaleTally {
 Scene scaled(Scene scene, double scale) {
   scene.view.eye *= scale;
   scene.view.target *= scale;
+  if (scene.view.screen && scene.view.screen->placement) {
+    *scene.view.screen->placement = scaled(*scene.view.screen->placement, scale);
+  }
   for (Light& light : scene.lights) {
     light.placement = scaled(light.placement.value_or(Placement(1.0)), scale);
     if (light.falloff) {

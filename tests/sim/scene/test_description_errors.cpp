@@ -184,6 +184,19 @@ TEST_CASE("views that show nothing are refused") {
               "scene.yaml:1:74: ", "one of field_of_view, screen");
 }
 
+TEST_CASE("screens that cannot be are refused") {
+  const std::string size = "width: 2, height: 1, place: ";
+  check_error(with_view("view: {eye: [0, 0, 5], screen: {" + size + "{translate: [0, 0, 6]}}}"),
+              "scene.yaml:1:58: place: ", "not in front");
+  check_error(with_view("view: {eye: [0, 0, 5], screen: {" + size +
+                        "{matrix: [1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]}}}"),
+              "scene.yaml:1:58: place: ", "perpendicular");
+  check_error(with_view("view: {eye: [0, 0, 5], target: [0, 0, 0], screen: {" + size +
+                        "{translate: [0, 0, 1]}}}"),
+              "scene.yaml:1:24: ", "target");
+  CHECK(with_view("view: {eye: [0, 0, 5], screen: {" + size + "{translate: [0, 0, 1]}}}").empty());
+}
+
 TEST_CASE("trees of rays that would not end are refused") {
   Pieces glass;
   glass.red = "  red: {specular: 1, transparent: true}";
