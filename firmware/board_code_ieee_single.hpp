@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ieee_single {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "72c65a28fddf5fce0e1ca96ba3485c471901cbc4";
+inline constexpr const char* k_firmware_version = "c776659a442f9ce0dd0f5465636ee9f2ee79bb9e";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 175, 0, 25, 28},
