@@ -105,8 +105,8 @@ TEST_CASE("unknown keys are reported with the allowed ones and the nearest") {
   check_error(with_rest("shadow: true"),
               "scene.yaml:3:1: scene: unknown key `shadow`; allowed: ", "did you mean `shadows`?");
   check_error(with_view("view: {eyes: [4, -6, 3], target: [0, 0, 0], field_of_view: 35 deg}"),
-              "scene.yaml:1:8: view: unknown key `eyes`; allowed: eye, target, up, field_of_view, "
-              "screen; did you mean `eye`?",
+              "scene.yaml:1:8: view: unknown key `eyes`; allowed: eye, screen, target, "
+              "up, field_of_view; did you mean `eye`?",
               "");
   check_error(with_surface("  red: {metal: {index: 1, extinction: 2}, index: 1}"),
               "scene.yaml:5:43: red: unknown key `index`", "metal");
@@ -187,10 +187,10 @@ TEST_CASE("views that show nothing are refused") {
 TEST_CASE("screens that cannot be are refused") {
   const std::string size = "width: 2, height: 1, place: ";
   check_error(with_view("view: {eye: [0, 0, 5], screen: {" + size + "{translate: [0, 0, 6]}}}"),
-              "scene.yaml:1:58: place: ", "not in front");
+              "scene.yaml:1:61: place: ", "not in front");
   check_error(with_view("view: {eye: [0, 0, 5], screen: {" + size +
                         "{matrix: [1, 0.5, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]}}}"),
-              "scene.yaml:1:58: place: ", "perpendicular");
+              "scene.yaml:1:61: place: ", "perpendicular");
   check_error(with_view("view: {eye: [0, 0, 5], target: [0, 0, 0], screen: {" + size +
                         "{translate: [0, 0, 1]}}}"),
               "scene.yaml:1:24: ", "target");
