@@ -77,7 +77,7 @@ Measured measured(sim::Object object) {
   scene.view.eye = {0.3, -4, 1.1};
   scene.view.target = {0, 0, 0};
   scene.view.field_of_view_deg = 40;
-  scene.lights.push_back({"sun", {3, -5, 8}, {1, 1, 1}});
+  scene.lights.push_back({"sun", {3, -5, 8}, {1, 1, 1}, {}, {}, {}});
   scene.surfaces.emplace_back().name = "matt";
   scene.object = std::move(object);
   scene.object.surface = "matt";
