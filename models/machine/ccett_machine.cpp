@@ -23,6 +23,29 @@ std::vector<unsigned char> shared_content(const std::vector<unsigned char>& data
   return content;
 }
 
+/// What the host writes of the content of shared memory: its header, and of the database what is to
+/// be loaded.
+std::vector<ImageRange> shared_ranges(const FrameSetup& setup, std::size_t bytes) {
+  if (!setup.shared_loaded) {
+    return {{0, bytes}};
+  }
+  std::vector<ImageRange> ranges{{0, SharedWindow::k_header_bytes}};
+  for (const ImageRange& range : *setup.shared_loaded) {
+    ranges.push_back(
+        {SharedWindow::k_header_bytes + range.first, SharedWindow::k_header_bytes + range.end});
+  }
+  return ranges;
+}
+
+void add_images(std::uint64_t base, const std::vector<unsigned char>& bytes,
+                const std::vector<ImageRange>& ranges, std::vector<LoadImage>& images) {
+  for (const ImageRange& range : ranges) {
+    images.push_back({base + range.first,
+                      {bytes.begin() + static_cast<std::ptrdiff_t>(range.first),
+                       bytes.begin() + static_cast<std::ptrdiff_t>(range.end)}});
+  }
+}
+
 std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
 
 void check(const MachineParameters& parameters, const FrameSetup& setup) {
@@ -45,6 +68,16 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
     if (setup.image_address + image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
       throw std::invalid_argument("a board's image is larger than its RAM");
     }
+    for (const ImageRange& range : setup.loaded.value_or(std::vector<ImageRange>{})) {
+      if (range.first > range.end || range.end > image.size()) {
+        throw std::invalid_argument("a part of an image must lie within it");
+      }
+    }
+  }
+  for (const ImageRange& range : setup.shared_loaded.value_or(std::vector<ImageRange>{})) {
+    if (range.first > range.end || range.end > setup.shared_database.size()) {
+      throw std::invalid_argument("a part of the shared database must lie within it");
+    }
   }
 }
 
@@ -63,17 +96,21 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
   const MachineAddresses addresses = machine_addresses(parameters, setup.shared_database.size());
   std::vector<Backplane> backplanes = make_buses(parameters, addresses);
   if (shares_something(parameters)) {
-    std::vector<unsigned char> content = shared_content(setup.shared_database);
+    const std::vector<unsigned char> content = shared_content(setup.shared_database);
     make_shared_memory(parameters, addresses, content.size());
     if (!setup.images.empty()) {
-      backplanes[0].images.push_back({addresses.shared.base, std::move(content)});
+      add_images(addresses.shared.base, content, shared_ranges(setup, content.size()),
+                 backplanes[0].images);
     }
   }
   for (std::size_t index = 0; index < parameters.boards.size(); ++index) {
     Backplane& backplane = backplanes[index % backplanes.size()];
     backplane.boards.push_back(make_board(index, parameters, addresses, backplane.bus, source));
     if (!setup.images.empty()) {
-      backplane.images.push_back({addresses.ram(index) + setup.image_address, setup.images[index]});
+      const std::vector<unsigned char>& image = setup.images[index];
+      add_images(addresses.ram(index) + setup.image_address, image,
+                 setup.loaded.value_or(std::vector<ImageRange>{{0, image.size()}}),
+                 backplane.images);
     }
   }
   if (setup.program) {

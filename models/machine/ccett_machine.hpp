@@ -21,15 +21,24 @@
 
 namespace maquette::models {
 
+/// A part of an image.
+struct ImageRange {
+  std::size_t first;
+  std::size_t end;
+};
+
 /// What a frame is made of, besides the machine and its pixels.
 struct FrameSetup {
   PixelRectangle useful_zone;    ///< every pixel of it is written once, no other is
   std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
   std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
   std::uint32_t image_address = 0;                 ///< of their first byte, in a board's RAM
-  std::optional<ProgramSetup> program;             ///< when boards execute theirs
-  std::vector<unsigned char> shared_database;      ///< when boards have no copies
-  bool keep_log = false;                           ///< of the writes, for pictures at an instant
+  /// The parts of the images that the host loads; all, when not given.
+  std::optional<std::vector<ImageRange>> loaded;
+  std::optional<ProgramSetup> program;                   ///< when boards execute theirs
+  std::vector<unsigned char> shared_database;            ///< when boards have no copies
+  std::optional<std::vector<ImageRange>> shared_loaded;  ///< of that, as `loaded`
+  bool keep_log = false;  ///< of the writes, for pictures at an instant
 };
 
 /// The CCETT prototype: KVM02 boards, host and frame memory on a VERSAbus, or on as many backplanes

@@ -14,7 +14,9 @@
 #include "models/bus/bus_levels.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/frame_choice.hpp"
 #include "sim/command_line/ram_dump.hpp"
+#include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/report/manifest.hpp"
@@ -34,76 +36,6 @@
 namespace maquette::sim {
 
 namespace {
-
-struct RunOptions {
-  CommonOptions common;
-  std::string outdir;
-  std::string processor = "counted";
-  std::string record;
-  BusOptions bus;
-  int threads = 0;
-  std::vector<std::string> snapshots;
-  std::vector<std::string> shown_snapshots;
-  std::vector<int> dumped_boards;
-  TraceOptions trace;
-  bool quiet = false;
-};
-
-void add_options(CLI::App& verb, RunOptions& options) {
-  add_common_options(verb, options.common);
-  verb.add_option("--outdir", options.outdir, "run directory (default: runs/NAME-OF-SCENE)")
-      ->type_name("DIR");
-  verb.add_option(
-          "--processor", options.processor,
-          "what the boards do: their work counted, a recorded frame's work replayed, or their "
-          "program executed instruction by instruction")
-      ->check(CLI::IsMember({"counted", "recorded", "instruction"}))
-      ->capture_default_str();
-  verb.add_option("--record", options.record,
-                  "OpenEXR file for the work of every pixel: written by --processor counted, "
-                  "replayed by --processor recorded (default there: one in the run directory, made "
-                  "when it is missing)")
-      ->type_name("FILE");
-  add_bus_options(verb, options.bus);
-  verb.add_option("--threads", options.threads,
-                  "host threads that synthesise (default: one per processor)")
-      ->check(CLI::Range(1, 1024));
-  verb.add_option("--snapshot", options.snapshots,
-                  "write the frame memory as it is at this simulated time, e.g. \"60 s\" "
-                  "(repeatable)")
-      ->type_name("TIME")
-      ->expected(1)
-      ->take_all();
-  verb.add_option("--snapshot-shown", options.shown_snapshots,
-                  "write what the video reader shows at this simulated time (repeatable)")
-      ->type_name("TIME")
-      ->expected(1)
-      ->take_all();
-  verb.add_option(
-          "--dump-ram", options.dumped_boards,
-          "write the RAM of this board as it is at the end, ram-BOARD.bin, and where things "
-          "are in it, ram.map; with --processor instruction (repeatable)")
-      ->type_name("BOARD")
-      ->expected(1)
-      ->take_all();
-  verb.add_option("--trace", options.trace.files,
-                  "write what happens on the bus: .json for ui.perfetto.dev and chrome://tracing, "
-                  ".vcd for GTKWave (repeatable)")
-      ->type_name("FILE")
-      ->expected(1)
-      ->take_all();
-  verb.add_option("--trace-lines", options.trace.lines,
-                  "write what the lines of the backplane show, as a .vcd for GTKWave; with --bus "
-                  "signal, which simulates them")
-      ->type_name("FILE");
-  verb.add_option("--trace-window", options.trace.window,
-                  "trace only this part of the frame, e.g. \"1 s..1.01 s\"; either may be left out")
-      ->type_name("T0..T1");
-  verb.add_option("--trace-boards", options.trace.boards,
-                  "give only these boards tracks of their own, e.g. 0,2..3")
-      ->type_name("LIST");
-  verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
-}
 
 std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
                                           const std::string& option) {
@@ -200,8 +132,12 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   const auto host_time_s = [start] {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  const Description description = described(options);
+  Description description = described(options);
+  if (!description.frames.empty() && options.frame < 0) {
+    return run_frames(options, command, description, host_time_s);
+  }
   SimulationRequest request;
+  request.held = take_frame(options, description);
   const int processors = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   request.threads = options.threads > 0 ? options.threads : processors;
   request.snapshots = instants_of(options.snapshots, "--snapshot");
@@ -217,9 +153,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   request.dumped_boards =
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
-  const std::filesystem::path directory =
-      options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
-                             : std::filesystem::path(options.outdir);
+  const std::filesystem::path directory = run_directory_of(options, description);
   create_run_directory(directory);
   TraceFiles trace_files(std::move(trace));
   request.lines = trace_files.lines();
@@ -272,7 +206,7 @@ void add_run_command(CLI::App& program, const std::vector<std::string>& command,
   const auto options = std::make_shared<RunOptions>();
   CLI::App& verb = *program.add_subcommand(
       "run", "simulate a scene on a machine: picture, frame time, where it went");
-  add_options(verb, *options);
+  add_run_options(verb, *options);
   add_footer(
       verb, {},
       {"maquette run photo4", "maquette run photo4 --set processors=8 --outdir runs/eight",

@@ -3,6 +3,7 @@
 #include "sim/database/board_image.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/board_start.hpp"
+#include "sim/run/changed_ranges.hpp"
 #include "sim/run/execution_check.hpp"
 
 namespace maquette::sim {
@@ -53,6 +54,24 @@ std::vector<models::RamPart> resident_parts(const BoardImage& image, const Machi
 void set_images(const PackedScene<float>& packed, const Machine& machine,
                 models::FrameSetup& setup) {
   make_images(packed, machine, setup, [](const BoardImage& /*image*/) {});
+}
+
+void load_changes(const models::FrameSetup& before, const Machine& machine,
+                  models::FrameSetup& setup) {
+  if (before.images.empty() || setup.images.empty() ||
+      before.image_address != setup.image_address) {
+    return;
+  }
+  const auto word_bytes = static_cast<std::size_t>(machine.parameters.bus.data_width_bits / 8);
+  // The boards' images differ in what each is told of its share, which stays from frame to frame.
+  setup.loaded = changed_ranges(before.images.front(), setup.images.front(), word_bytes);
+  if (setup.program) {
+    for (std::size_t board = 0; board < setup.images.size(); ++board) {
+      setup.program->resident.at(board).push_back({setup.image_address, setup.images[board]});
+    }
+  } else {
+    setup.shared_loaded = changed_ranges(before.shared_database, setup.shared_database, word_bytes);
+  }
 }
 
 void set_programs(const PackedScene<float>& packed, const Machine& machine, int threads,

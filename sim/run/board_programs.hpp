@@ -13,6 +13,12 @@ namespace maquette::sim {
 void set_images(const PackedScene<float>& packed, const Machine& machine,
                 models::FrameSetup& setup);
 
+/// Leaves out what the boards hold already from the images of another scene, set up for the same
+/// machine: of a scene's images only the words that differ are loaded. Programs that are executed
+/// find the rest in their RAM.
+void load_changes(const models::FrameSetup& before, const Machine& machine,
+                  models::FrameSetup& setup);
+
 /// The same, and has the boards execute their programs on `threads` of the host. Throws
 /// DescriptionError for a machine whose boards can not.
 void set_programs(const PackedScene<float>& packed, const Machine& machine, int threads,

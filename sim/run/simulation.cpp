@@ -205,6 +205,12 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   } else {
     set_images(packed, roomy, setup);
   }
+  if (request.held != nullptr) {
+    models::FrameSetup before;
+    before.useful_zone = setup.useful_zone;
+    set_images(packed_scene<float>(*request.held, picture_format_of(machine)), roomy, before);
+    load_changes(before, roomy, setup);
+  }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
   require_transfer_time(priced, setup);
   SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);

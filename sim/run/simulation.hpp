@@ -24,6 +24,7 @@ struct SimulationRequest {
   bool executed = false;                          ///< boards execute their program
   std::vector<int> dumped_boards;                 ///< whose RAM the result has; of executed ones
   const RecordedFrame* record = nullptr;          ///< replayed in place of synthesis, if given
+  const Scene* held = nullptr;                    ///< that the boards hold, if they hold one
   const Calibration* calibration = nullptr;       ///< of this scene and machine, if told before
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows

@@ -9,6 +9,7 @@
 #include "sim/machine/machine_description.hpp"
 #include "sim/scene/picture_files.hpp"
 #include "sim/scene/scene_description.hpp"
+#include "sim/scene/sequence.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/nearest_name.hpp"
@@ -169,6 +170,15 @@ YamlNode take_machine(YamlNode& scene) {
   return machine;
 }
 
+/// The scenes of a sequence's frames.
+std::vector<Scene> frames_of(const YamlNode& scene, const std::optional<Sequence>& sequence) {
+  std::vector<Scene> frames;
+  for (int frame = 0; sequence && frame < sequence->frames; ++frame) {
+    frames.push_back(read_scene(frame_of(scene, *sequence, frame)));
+  }
+  return frames;
+}
+
 Description read_trees(DescriptionTrees trees, const std::vector<Override>& changes,
                        Loader& loader) {
   YamlNode own_machine = take_machine(trees.scene);
@@ -182,7 +192,9 @@ Description read_trees(DescriptionTrees trees, const std::vector<Override>& chan
   }
   expand_tables(machine, loader);
   loader.expand_pictures(trees.scene);
-  return {read_scene(trees.scene), read_machine(machine), {}};
+  Scene scene = read_scene(trees.scene);
+  std::vector<Scene> frames = frames_of(trees.scene, scene.sequence);
+  return {std::move(scene), std::move(frames), read_machine(machine), {}};
 }
 
 void expand_machine(YamlNode& machine, Loader& loader) {

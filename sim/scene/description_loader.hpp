@@ -21,7 +21,8 @@ struct DescriptionSources {
 
 /// A checked description and the files that it was read from, in the order of reading.
 struct Description {
-  Scene scene;
+  Scene scene;                ///< without the values of its sequence
+  std::vector<Scene> frames;  ///< of its sequence; none without
   Machine machine;
   std::vector<std::string> input_files;
 };

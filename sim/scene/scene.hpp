@@ -11,6 +11,7 @@
 #include "models/bus/instant.hpp"
 #include "sim/primitives/primitive.hpp"
 #include "sim/yaml/source_position.hpp"
+#include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
 
@@ -130,6 +131,18 @@ struct Samples {
   double contrast = 0;
 };
 
+/// A parameter whose value differs from frame to frame.
+struct SequenceTrack {
+  std::string path;              ///< as in an override
+  std::vector<YamlNode> values;  ///< one for each frame
+};
+
+/// Frames that follow one another.
+struct Sequence {
+  int frames = 1;
+  std::vector<SequenceTrack> tracks;
+};
+
 /// A checked scene: every name resolves, every value is in its range.
 struct Scene {
   std::string name;
@@ -142,6 +155,7 @@ struct Scene {
   RayTree ray_tree;
   Roots roots;
   std::optional<Samples> samples;
+  std::optional<Sequence> sequence;
   bool shadows = true;
   Object object;
 };

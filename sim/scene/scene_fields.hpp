@@ -6,6 +6,7 @@
 #include "sim/fields/value_types.hpp"
 #include "sim/scene/placement.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/scene/sequence.hpp"
 
 /// Every parameter of a scene besides its object tree, declared once.
 namespace maquette::sim {
@@ -231,6 +232,9 @@ void declare_scene(Visitor& visitor, Scene& scene) {
                 k_intensity);
   visitor.field({"background", "where no object is: red, green, blue"}, scene.background,
                 k_intensity);
+  visitor.field(
+      {"sequence", "frames that follow one another, in which parameters have other values"},
+      scene.sequence, SequenceType{});
   declare_optional(visitor, {"samples", "rays of each pixel; without it one"}, scene.samples,
                    [&](Samples& samples) { declare_samples(visitor, samples); });
   visitor.field({"shadows", "lights are blocked by objects"}, scene.shadows, FlagType{});

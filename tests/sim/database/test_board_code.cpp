@@ -111,7 +111,8 @@ TEST_CASE("a need takes nothing away, and a piece is there whole") {
       const sim::BoardPieces more = sim::needed_pieces(k_code, need.with);
       for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
         REQUIRE(more.bytes[i] >= pieces.bytes[i]);
-        const bool is_table = std::string_view{"k_primitives"} == k_code.pieces[i].name;
+        const std::string_view name = k_code.pieces[i].name;
+        const bool is_table = name == "k_primitives" || name == "k_surface_maps";
         REQUIRE((pieces.bytes[i] == 0 || pieces.bytes[i] == all.bytes[i] || is_table));
       }
     }
@@ -133,27 +134,42 @@ TEST_CASE("every need but ambient light makes a board hold more than no need at 
     needs.facets[kind] = false;
     CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
+  for (int kind = 0; kind < firmware::k_texture_kind_count; ++kind) {
+    INFO(firmware::k_textures.rows[kind].name);
+    firmware::Needs needs = all;
+    needs.textures[kind] = false;
+    CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
+  }
   using firmware::Needs;
   for (bool Needs::*need :
        {&Needs::several_spans, &Needs::unions, &Needs::large_unions, &Needs::intersections,
         &Needs::diffuse, &Needs::specular, &Needs::dielectrics, &Needs::metals,
         &Needs::transparency, &Needs::absorption, &Needs::lights, &Needs::shadows,
-        &Needs::reflections, &Needs::depth}) {
+        &Needs::reflections, &Needs::depth, &Needs::surface_ambient, &Needs::shaped_lights,
+        &Needs::textured, &Needs::samples}) {
     Needs needs = all;
     needs.*need = false;
     CHECK(sim::code_bytes(sim::needed_pieces(k_code, needs)) < whole);
   }
 }
 
+/// A need of pictures, which are laid by functions of the primitives.
+void need_pictures(firmware::Needs& needs) {
+  needs.textured = true;
+  needs.textures[static_cast<int>(firmware::texture_kind_of<firmware::picture::Kind>)] = true;
+}
+
 TEST_CASE("a primitive takes code only from the scenes that need it") {
   constexpr std::int64_t k_row_bytes = 18;  // four addresses and a flag
-  const sim::BoardPieces bare = sim::needed_pieces(k_code, firmware::Needs{});
+  firmware::Needs none{};
+  need_pictures(none);
+  const sim::BoardPieces bare = sim::needed_pieces(k_code, none);
   const auto bare_bytes = sim::code_bytes(bare);
   for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
     const std::string_view name = sim::primitive_table()[static_cast<std::size_t>(kind)]->name;
     INFO(name);
     CHECK(bytes_in(bare, name) == 0);
-    firmware::Needs needs{};
+    firmware::Needs needs = none;
     needs.primitives[kind] = true;
     const sim::BoardPieces pieces = sim::needed_pieces(k_code, needs);
     CHECK(bytes_in(pieces, name) == bytes_in(sim::all_pieces(k_code), name));

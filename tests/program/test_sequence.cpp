@@ -1,0 +1,124 @@
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+#include "tests/program/program.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace maquette::tests;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+const std::string k_sequence =
+    "view: {eye: [4, -6, 3], target: [0, 0, 0.5], field_of_view: 30 deg}\n"
+    "lights: {key: {position: [5, -5, 9]}}\n"
+    "surfaces: {red: {diffuse: [0.8, 0.2, 0.1]}, grey: {diffuse: 0.6}}\n"
+    "object: {union: [{half_space: {}, surface: grey}, {sphere: {radius: 0.5}, surface: red}]}\n";
+
+std::string scene_of(const std::string& extra) { return k_sequence + extra; }
+
+const std::string k_coarse =
+    " --set 'frame_memory.width=48 pixels' --set 'frame_memory.height=36 pixels'";
+
+nlohmann::json json_of(const std::filesystem::path& file) {
+  return nlohmann::json::parse(content_of(file));
+}
+
+const std::string k_frames =
+    "sequence: {frames: 3, vary: {object.union.1.sphere.radius: [0.5, 0.8, 1.1]}}\n";
+
+/// A frame of the sequence as a scene of its own.
+std::string alone(const std::string& radius) {
+  std::string text = k_sequence;
+  const std::string before = "radius: 0.5";
+  return text.replace(text.find(before), before.size(), "radius: " + radius);
+}
+
+TEST_CASE("frames of a sequence are those of their scenes, but for what need not be loaded") {
+  const ScratchDirectory scratch;
+  const std::string sequence = scratch.file("sequence.yaml", scene_of(k_frames));
+  for (const std::string options :
+       {"", " --set board.database=shared", " --processor instruction",
+        " --processor instruction --set board.arithmetic=maquette_ffp"}) {
+    CAPTURE(options);
+    const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
+                                         (scratch / "all").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exit_code == 0);
+    double sum = 0;
+    for (int frame = 0; frame < 3; ++frame) {
+      const std::string number = "000" + std::to_string(frame);
+      const std::string scene = scratch.file(
+          "alone.yaml",
+          alone(std::vector<std::string>{"0.5", "0.8", "1.1"}.at(static_cast<std::size_t>(frame))));
+      REQUIRE(run_maquette("run " + scene + options + k_coarse + " --quiet --outdir " +
+                           (scratch / "alone").string())
+                  .exit_code == 0);
+      CHECK(content_of(scratch / "all" / ("frame-" + number + ".png")) ==
+            content_of(scratch / "alone" / "frame.png"));
+      const auto in_sequence = json_of(scratch / "all" / ("stats-" + number + ".json"));
+      const auto by_itself = json_of(scratch / "alone" / "stats.json");
+      CHECK(in_sequence["work"] == by_itself["work"]);
+      CHECK(in_sequence["frame"]["preprocess_s"] == by_itself["frame"]["preprocess_s"]);
+      CHECK(in_sequence["frame"]["synthesis_s"].get<double>() ==
+            Approx(by_itself["frame"]["synthesis_s"].get<double>()).epsilon(1e-4));
+      const double load = in_sequence["frame"]["load_s"].get<double>();
+      const double whole = by_itself["frame"]["load_s"].get<double>();
+      if (frame == 0) {
+        CHECK(load == whole);
+      } else {
+        CHECK(load > 0);
+        CHECK(load < whole / 20);
+      }
+      sum += load + in_sequence["frame"]["time_s"].get<double>();
+    }
+    const auto together = json_of(scratch / "all" / "sequence.json");
+    CHECK(together["time_s"].get<double>() == Approx(sum).epsilon(1e-12));
+    CHECK(together["frames"].size() == 3);
+    CHECK_FALSE(together["partial"].get<bool>());
+    CHECK_THAT(outcome.output, ContainsSubstring("sequence time"));
+  }
+}
+
+TEST_CASE("one frame of a sequence can be run alone, with all that is of one frame") {
+  const ScratchDirectory scratch;
+  const std::string sequence = scratch.file("sequence.yaml", scene_of(k_frames));
+  REQUIRE(
+      run_maquette("run " + sequence + k_coarse + " --quiet --outdir " + (scratch / "all").string())
+          .exit_code == 0);
+  REQUIRE(run_maquette("run " + sequence + k_coarse +
+                       " --quiet --frame 2 --snapshot '1 s' --outdir " + (scratch / "one").string())
+              .exit_code == 0);
+  CHECK(content_of(scratch / "one" / "frame.png") ==
+        content_of(scratch / "all" / "frame-0002.png"));
+  CHECK(content_of(scratch / "one" / "stats.json") ==
+        content_of(scratch / "all" / "stats-0002.json"));
+  CHECK(std::filesystem::exists(scratch / "one" / "snapshot-1s.png"));
+  const Outcome beyond =
+      run_maquette("run " + sequence + " --frame 3 --outdir " + (scratch / "no").string());
+  CHECK(beyond.exit_code == 2);
+  CHECK_THAT(beyond.errors, ContainsSubstring("frames 0 to 2 are allowed"));
+  const Outcome of_one =
+      run_maquette("run " + sequence + " --snapshot '1 s' --outdir " + (scratch / "no").string());
+  CHECK(of_one.exit_code == 2);
+  CHECK_THAT(of_one.errors, ContainsSubstring("--frame N"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "no"));
+}
+
+TEST_CASE("a sequence of what is no part of a scene is refused before the first is simulated") {
+  const ScratchDirectory scratch;
+  const std::string sequence = scratch.file(
+      "sequence.yaml",
+      scene_of("sequence: {frames: 2, vary: {surfaces.red.texture: [{pattern: bands}, {pattern: "
+               "bands}], board.ram: [1, 2]}}\n"));
+  const Outcome outcome =
+      run_maquette("run " + sequence + " --outdir " + (scratch / "no").string());
+  CHECK(outcome.exit_code == 2);
+  CHECK_THAT(outcome.errors, ContainsSubstring("board"));
+  CHECK_FALSE(std::filesystem::exists(scratch / "no"));
+}
+
+}  // namespace
