@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "sim/scene/picture_files.hpp"
 #include "sim/scene/scene_description.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "sim/yaml/yaml_reader.hpp"
@@ -29,7 +30,9 @@ std::vector<ShippedScene> shipped_scenes(const std::string& directory) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory, error)) {
     if (is_scene(entry.path())) {
       const fs::path name = entry.path().lexically_relative(directory).replace_extension();
-      const YamlNode written = load_yaml(entry.path().string());
+      YamlNode written = load_yaml(entry.path().string());
+      std::vector<std::string> pictures;
+      inline_pictures(written, pictures);
       scenes.push_back(
           {name.generic_string(), entry.path().string(), written, read_scene(written)});
     }
