@@ -171,10 +171,13 @@ YamlNode take_machine(YamlNode& scene) {
 }
 
 /// The scenes of a sequence's frames.
-std::vector<Scene> frames_of(const YamlNode& scene, const std::optional<Sequence>& sequence) {
+std::vector<Scene> frames_of(const YamlNode& scene, const std::optional<Sequence>& sequence,
+                             Loader& loader) {
   std::vector<Scene> frames;
   for (int frame = 0; sequence && frame < sequence->frames; ++frame) {
-    frames.push_back(read_scene(frame_of(scene, *sequence, frame)));
+    YamlNode tree = frame_of(scene, *sequence, frame);
+    loader.expand_pictures(tree);
+    frames.push_back(read_scene(tree));
   }
   return frames;
 }
@@ -193,7 +196,7 @@ Description read_trees(DescriptionTrees trees, const std::vector<Override>& chan
   expand_tables(machine, loader);
   loader.expand_pictures(trees.scene);
   Scene scene = read_scene(trees.scene);
-  std::vector<Scene> frames = frames_of(trees.scene, scene.sequence);
+  std::vector<Scene> frames = frames_of(trees.scene, scene.sequence, loader);
   return {std::move(scene), std::move(frames), read_machine(machine), {}};
 }
 

@@ -1,9 +1,11 @@
 #include "sim/scene/picture_files.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 #include "sim/fields/value_types.hpp"
 #include "sim/picture/image_file.hpp"
@@ -16,10 +18,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-models::Picture read_picture(const fs::path& file, const YamlPlace& place) {
+/// The bytes of a file; nothing where there is none, or one that no board could hold.
+std::string bytes_of(const fs::path& file) {
+  constexpr std::uintmax_t k_most_bytes = 64 << 20;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > k_most_bytes || error) {
+    return {};
+  }
   std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream || bytes.empty()) {
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+models::Picture read_picture(const fs::path& file, const YamlPlace& place) {
+  const std::string bytes = bytes_of(file);
+  if (bytes.empty()) {
     throw DescriptionError(place.position(), "picture: `" + file.string() +
                                                  "` cannot be read; a PNG file of three "
                                                  "8-bit channels is allowed");
@@ -73,7 +85,9 @@ void inline_pictures(YamlNode& scene, std::vector<std::string>& input_files) {
     const fs::path file = folder / picture->text;
     *picture = texels_of(read_picture(file, place));
     set_place(*picture, place);
-    input_files.push_back(file.string());
+    if (std::find(input_files.begin(), input_files.end(), file.string()) == input_files.end()) {
+      input_files.push_back(file.string());
+    }
   }
 }
 

@@ -100,7 +100,13 @@ Sequence SequenceType::read(const YamlNode& node, std::string_view name) {
   sequence.frames = static_cast<int>(count.read(*frames, "frames"));
   check_mapping(*vary, "vary");
   for (const YamlEntry& entry : vary->entries) {
-    static_cast<void>(parse_path(entry.key, entry.place));
+    const std::string first = parse_path(entry.key, entry.place).front().key;
+    if (first == "machine" || first == "sequence") {
+      throw DescriptionError(entry.place.position(),
+                             "sequence: `" + first +
+                                 "` is the same for all frames; a path to another parameter of the "
+                                 "scene is allowed");
+    }
     sequence.tracks.push_back({entry.key, values_of(entry.value, sequence.frames)});
   }
   return sequence;

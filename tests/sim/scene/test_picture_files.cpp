@@ -34,6 +34,20 @@ TEST_CASE("The texels of a file beside the scene take the place of its name") {
   CHECK(written.find("010203f0e0d0") != std::string::npos);
 }
 
+TEST_CASE("Frames of a sequence may have pictures of their own") {
+  const tests::ScratchDirectory directory;
+  write_file(directory, "a.png", encode_png({1, 1, {0x010203}}));
+  write_file(directory, "b.png", encode_png({1, 1, {0x040506}}));
+  const Description description =
+      load_in(directory,
+              scene_with("a.png") +
+                  "sequence: {frames: 2, vary: {surfaces.red.texture.picture: [a.png, b.png]}}\n");
+  CHECK(description.frames.at(1).surfaces.at(0).texture->picture->texels ==
+        std::vector<std::uint8_t>{4, 5, 6});
+  // Scene, machine, its two cost tables and the two pictures, each once.
+  CHECK(description.input_files.size() == 6);
+}
+
 TEST_CASE("A picture that is not there or is none is refused at its name") {
   const tests::ScratchDirectory directory;
   write_file(directory, "text.png", "no picture");
@@ -46,6 +60,8 @@ TEST_CASE("A picture that is not there or is none is refused at its name") {
     return std::string();
   };
   CHECK(error_with("missing.png").find(":2:37: picture: ") != std::string::npos);
+  CHECK(error_with(".").find(":2:37: picture: ") != std::string::npos);
+  CHECK(error_with("/dev/zero").find(":2:37: picture: ") != std::string::npos);
   CHECK(error_with("missing.png").find("a PNG file of three 8-bit channels is allowed") !=
         std::string::npos);
   CHECK(error_with("text.png").find(":2:37: picture: ") != std::string::npos);

@@ -62,6 +62,8 @@ TEST_CASE("Sequences that cannot be are refused") {
   check_error("{frames: 2, vary: {object.sphere.radius: [1, 0]}}", "56: radius: ", "above 0");
   check_error("{frames: 2, vary: {object.sphere.radius: {from: 1}}}", "52: ", "from: A, to: B");
   check_error("{frames: 2, vary: {object.sphere.radius: {from: 1, to: 2 deg}}}", "", "unit");
+  check_error("{frames: 2, vary: {machine: [ccett-1984, m68020]}}", "30: ", "same for all frames");
+  check_error("{frames: 2, vary: {sequence.frames: [1, 2]}}", "30: ", "same for all frames");
   check_error("{frames: 2, vary: {name: {from: a, to: b}}}", "", "numbers");
 }
 
