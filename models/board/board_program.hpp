@@ -29,7 +29,7 @@ struct ProgramEvent {
   enum class Kind { access, synthesis, end };
 
   Kind kind;
-  mc68000::Account account;  ///< at the start of the instruction
+  mc68000::Account account;  ///< at the start of the instruction; accesses before this included
   firmware::Work work;       ///< of the host's routines since the last event
   mc68000::BusRequest request;
   mc68000::Stop stop;

@@ -19,6 +19,11 @@ unsigned bytes_of(const BusRequest& request, unsigned word_bytes) {
   return request.size == OperandSize::byte ? word_bytes : mc68000::bytes_of(request.size);
 }
 
+mc68000::Account with(mc68000::Account account, const mc68000::InstructionCost& cost) {
+  account.add(cost);
+  return account;
+}
+
 /// Bytes on the bus: a byte goes with the whole word that it lies in.
 void put_bytes(const BusRequest& request, unsigned word_bytes, std::vector<unsigned char>& bytes) {
   const unsigned count = mc68000::bytes_of(request.size);
@@ -57,6 +62,7 @@ InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, co
       watch_(bus, processor, next_unit),
       written_(std::move(written)) {
   test_and_set_.transaction.test_and_set = true;
+  test_and_set_.transaction.modify = processor.clock().times(mc68000::k_modify_cycles);
 }
 
 void InstructionProcessor::run(BoardProgram& program) {
@@ -77,10 +83,11 @@ void InstructionProcessor::run(BoardProgram& program) {
   }
 }
 
-// At the second access of an instruction the account lacks the clocks of the first, which it has
-// left to the bus already: that access follows at once.
+// Only fetches off the board, which fall at the start of their instruction, are behind what is
+// spent: they follow at once.
 void InstructionProcessor::spend(const ProgramEvent& event) {
-  const Duration elapsed = std::max(time_.elapsed(event.account, event.work), spent_);
+  const mc68000::Account account = with(event.account, event.request.before);
+  const Duration elapsed = std::max(time_.elapsed(account, event.work), spent_);
   processor_.compute(elapsed - spent_);
   spent_ = elapsed;
 }

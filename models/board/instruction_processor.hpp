@@ -12,10 +12,8 @@
 namespace maquette::models {
 
 /// A board's processor that executes the board's program: lets the time of its instructions pass,
-/// with the wait states of the RAM and its refresh, and does each access off the board on the bus.
-///
-/// Assumption: an access falls at the start of its instruction; what the instruction takes besides
-/// passes after it.
+/// with the wait states of the RAM and its refresh, and does each access off the board on the bus,
+/// at its cycle within its instruction.
 class InstructionProcessor {
  public:
   /// Called with each word or byte that the program has written off the board.

@@ -124,10 +124,10 @@ void Kvm02::run_program() {
   preprocessing_ = executing_->preprocessing();
 }
 
-// A pixel is written when its second word is.
+// A pixel is written when its second word is. Behind the frame memory is what boards share.
 void Kvm02::check_written(std::uint64_t address, std::uint32_t value) {
   constexpr unsigned k_word_bits = 16;
-  if (address < frame_.base) {
+  if (address < frame_.base || address >= shared_.base) {
     return;
   }
   const std::uint64_t offset = address - frame_.base;

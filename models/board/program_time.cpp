@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "models/board/mc68000/external_bus.hpp"
+
 namespace maquette::models {
 
 namespace {
@@ -23,8 +25,10 @@ OperationCost ram_use(const mc68000::Account& account) {
   const auto own = [](std::uint64_t all, std::uint64_t off_board) {
     return static_cast<double>(all - off_board);
   };
-  const std::uint64_t off_board = account.bus_fetches + account.bus_reads + account.bus_writes;
-  return {own(account.cycles, k_access_clocks * off_board),
+  const std::uint64_t off_board =
+      k_access_clocks * (account.bus_fetches + account.bus_reads + account.bus_writes) +
+      mc68000::k_modify_cycles * account.bus_modifications;
+  return {own(account.cycles, off_board),
           own(account.fetches, account.bus_fetches) + own(account.reads, account.bus_reads),
           own(account.writes, account.bus_writes)};
 }

@@ -92,7 +92,7 @@ auto compiled(Operation operation, firmware::Work& work, Compute compute) {
     constexpr std::uint32_t k_long_bytes = 4;
     const auto argument = [&unit](std::uint32_t number) {
       return Format::value_of(unit.memory.read<models::mc68000::OperandSize::long_word>(
-          unit.registers.stack() + k_long_bytes * number));
+          unit.registers.stack() + k_long_bytes * number, 0));
     };
     ++work[operation];
     unit.registers.data(0) = Format::bits_of(compute(argument));

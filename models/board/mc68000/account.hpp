@@ -19,6 +19,7 @@ struct Account {
   std::uint64_t bus_fetches = 0;
   std::uint64_t bus_reads = 0;
   std::uint64_t bus_writes = 0;
+  std::uint64_t bus_modifications = 0;  // a read and a write each, in one bus cycle
 
   void add(const InstructionCost& cost) {
     cycles += cost.cycles;

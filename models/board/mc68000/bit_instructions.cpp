@@ -24,8 +24,9 @@ std::uint32_t acted(std::uint32_t operand, std::uint32_t bit) {
   return operand;
 }
 
+// `before` is what the instruction has used when it begins with the operand's address.
 template <BitAction action, Mode mode>
-void act_on_bit(ExecutionUnit& unit, unsigned word, unsigned number) {
+void act_on_bit(ExecutionUnit& unit, unsigned word, unsigned number, PackedCost before) {
   ConditionCodes& conditions = unit.registers.conditions;
   if constexpr (mode == Mode::data_register) {
     const std::uint32_t bit = 1U << (number & 31U);
@@ -40,25 +41,28 @@ void act_on_bit(ExecutionUnit& unit, unsigned word, unsigned number) {
   } else {
     const std::uint32_t bit = 1U << (number & 7U);
     if constexpr (action == BitAction::test) {
-      conditions.non_zero = read_operand<mode, OperandSize::byte>(unit, word) & bit;
+      conditions.non_zero = read_operand<mode, OperandSize::byte>(unit, word, before) & bit;
     } else {
-      modify_operand<mode, OperandSize::byte>(unit, word, [&](std::uint8_t operand) {
-        conditions.non_zero = operand & bit;
-        return low_part<OperandSize::byte>(acted<action>(operand, bit));
-      });
+      modify_operand<mode, OperandSize::byte>(
+          unit, word,
+          [&](std::uint8_t operand) {
+            conditions.non_zero = operand & bit;
+            return low_part<OperandSize::byte>(acted<action>(operand, bit));
+          },
+          before);
     }
   }
 }
 
 template <BitAction action, Mode mode>
 void by_register(ExecutionUnit& unit, unsigned word) {
-  act_on_bit<action, mode>(unit, word, unit.registers.data(upper_register(word)));
+  act_on_bit<action, mode>(unit, word, unit.registers.data(upper_register(word)), 0);
 }
 
 template <BitAction action, Mode mode>
 void by_immediate(ExecutionUnit& unit, unsigned word) {
   const unsigned number = unit.fetch();
-  act_on_bit<action, mode>(unit, word, number);
+  act_on_bit<action, mode>(unit, word, number, packed(k_one_word));
 }
 
 template <BitAction action>

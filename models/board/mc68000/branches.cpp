@@ -45,7 +45,7 @@ void branch(ExecutionUnit& unit, unsigned word) {
 template <bool in_word>
 void branch_to_subroutine(ExecutionUnit& unit, unsigned word) {
   const std::uint32_t target = branch_target<in_word>(unit, word);
-  unit.push(unit.registers.program_counter);
+  unit.push(unit.registers.program_counter, packed_cycles(2));
   unit.enter(target);
 }
 

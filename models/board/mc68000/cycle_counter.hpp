@@ -42,6 +42,7 @@ class CycleCounter {
     account_.bus_fetches += access.bus_fetches;
     account_.bus_reads += access.bus_reads;
     account_.bus_writes += access.bus_writes;
+    account_.bus_modifications += access.bus_modifications;
     end_slice();
   }
 
@@ -55,9 +56,9 @@ class CycleCounter {
   // The dearest instruction takes less than 300 cycles, so that a slice cannot overflow.
   static constexpr unsigned k_slice_cycles = k_most_packed_cycles / 2;
 
-  Account account_;
   PackedCost pending_ = 0;
   PackedCost slice_end_ = 0;
+  Account account_;
 };
 
 }  // namespace maquette::models::mc68000

@@ -62,9 +62,10 @@ std::uint32_t address_of(ExecutionUnit& unit, unsigned field) {
   }
 }
 
-/// The operand of an instruction whose low three bits name its register.
+/// The operand of an instruction whose low three bits name its register. `before` is what the
+/// instruction has used when it begins with the operand's address.
 template <Mode mode, OperandSize size>
-Operand<size> read_operand(ExecutionUnit& unit, unsigned word) {
+Operand<size> read_operand(ExecutionUnit& unit, unsigned word, PackedCost before = 0) {
   if constexpr (mode == Mode::data_register) {
     return low_part<size>(unit.registers.data(word));
   } else if constexpr (mode == Mode::address_register) {
@@ -75,7 +76,8 @@ Operand<size> read_operand(ExecutionUnit& unit, unsigned word) {
     }
     return low_part<size>(unit.fetch());
   } else {
-    return unit.memory.read<size>(address_of<mode, size>(unit, word));
+    const std::uint32_t address = address_of<mode, size>(unit, word);
+    return unit.memory.read<size>(address, before + packed(address_cost(mode)));
   }
 }
 
@@ -86,24 +88,20 @@ void write_data_register(ExecutionUnit& unit, unsigned number, Operand<size> val
   whole = with_low_part<size>(whole, value);
 }
 
-/// Writes an operand without reading it.
-template <Mode mode, OperandSize size>
-void write_operand(ExecutionUnit& unit, unsigned field, Operand<size> value) {
-  if constexpr (mode == Mode::data_register) {
-    write_data_register<size>(unit, field, value);
-  } else {
-    unit.memory.write<size>(address_of<mode, size>(unit, field), value);
-  }
-}
-
-/// Replaces an operand by what `operation` makes of it. Its address is found once.
+/// Replaces an operand by what `operation` makes of it. Its address is found once. The next
+/// instruction is fetched before the result is written, the low word of a long one first. `before`
+/// is what the instruction has used when it begins with the operand's address.
 template <Mode mode, OperandSize size, class Operation>
-void modify_operand(ExecutionUnit& unit, unsigned field, Operation operation) {
+void modify_operand(ExecutionUnit& unit, unsigned field, Operation operation,
+                    PackedCost before = 0) {
   if constexpr (mode == Mode::data_register) {
     write_data_register<size>(unit, field, operation(low_part<size>(unit.registers.data(field))));
   } else {
     const std::uint32_t address = address_of<mode, size>(unit, field);
-    unit.memory.write<size>(address, operation(unit.memory.read<size>(address)));
+    const PackedCost until_read = before + packed(address_cost(mode));
+    const PackedCost until_write = until_read + packed(words_of(size) * k_one_read + k_one_word);
+    unit.memory.write<size>(address, operation(unit.memory.read<size>(address, until_read)),
+                            until_write, WordOrder::low_first);
   }
 }
 

@@ -18,7 +18,7 @@ struct ExecutionUnit {
   ~ExecutionUnit() = default;
 
   /// The next word of the program.
-  std::uint16_t fetch() {
+  [[gnu::always_inline]] std::uint16_t fetch() {
     const std::uint16_t word = memory.fetch(registers.program_counter);
     registers.program_counter += 2;
     return word;
@@ -29,14 +29,16 @@ struct ExecutionUnit {
     return high << 16U | fetch();
   }
 
-  void push(std::uint32_t value) {
+  /// `before` is what the instruction has used when it pushes.
+  void push(std::uint32_t value, PackedCost before) {
     registers.stack() -= 4;
-    memory.write<OperandSize::long_word>(registers.stack(), value);
+    memory.write<OperandSize::long_word>(registers.stack(), value, before);
   }
 
+  /// `before` is what the instruction has used when it pops.
   template <OperandSize size>
-  Operand<size> pop() {
-    const Operand<size> value = memory.read<size>(registers.stack());
+  Operand<size> pop(PackedCost before = 0) {
+    const Operand<size> value = memory.read<size>(registers.stack(), before);
     registers.stack() += bytes_of(size);
     return value;
   }
@@ -62,7 +64,7 @@ struct ExecutionUnit {
     }
   }
 
-  void return_from_subroutine() { jump(pop<OperandSize::long_word>()); }
+  void return_from_subroutine(PackedCost before = 0) { jump(pop<OperandSize::long_word>(before)); }
 
   /// Throws Fault in user mode.
   void require_supervisor() const {

@@ -27,16 +27,40 @@ template <class Operation, OperandSize size>
 void in_memory(ExecutionUnit& unit, unsigned word) {
   const Operand<size> source = read_operand<Mode::predecrement, size>(unit, word);
   modify_operand<Mode::predecrement, size>(
-      unit, upper_register(word), [&unit, source](Operand<size> destination) {
+      unit, upper_register(word),
+      [&unit, source](Operand<size> destination) {
         return Operation::template apply<size>(unit.registers.conditions, destination, source);
-      });
+      },
+      packed(k_one_read));
+}
+
+// Downwards the low word is first, and the next instruction is fetched between the two writes.
+template <class Operation>
+void in_memory_long(ExecutionUnit& unit, unsigned word) {
+  constexpr OperandSize k_long = OperandSize::long_word;
+  constexpr PackedCost until_source = packed(address_cost(Mode::predecrement));
+  constexpr PackedCost until_destination = until_source + 2 * packed(k_one_read);
+  constexpr PackedCost until_low = until_destination + 2 * packed(k_one_read);
+  MemoryInterface& memory = unit.memory;
+  const auto read = [&](unsigned field, PackedCost before) {
+    return memory.read<k_long>(address_of<Mode::predecrement, k_long>(unit, field), before,
+                               WordOrder::low_first);
+  };
+  const std::uint32_t source = read(word, until_source);
+  const std::uint32_t destination = read(upper_register(word), until_destination);
+  const std::uint32_t result =
+      Operation::template apply<k_long>(unit.registers.conditions, destination, source);
+  const std::uint32_t address = unit.registers.address(upper_register(word));
+  memory.write<OperandSize::word>(address + 2, low_part<OperandSize::word>(result), until_low);
+  memory.write<OperandSize::word>(address, low_part<OperandSize::word>(result >> 16U),
+                                  until_low + packed(k_one_write + k_one_word));
 }
 
 template <OperandSize size>
 void compare_memory(ExecutionUnit& unit, unsigned word) {
   const Operand<size> source = read_operand<Mode::postincrement, size>(unit, word);
-  const Operand<size> destination =
-      read_operand<Mode::postincrement, size>(unit, upper_register(word));
+  const Operand<size> destination = read_operand<Mode::postincrement, size>(
+      unit, upper_register(word), packed(words_of(size) * k_one_read));
   Compare::apply<size>(unit.registers.conditions, destination, source);
 }
 
@@ -53,8 +77,11 @@ void decode_binary(DecoderTable& table) {
     const unsigned code = Operation::k_code | size_field(size());
     table.set(code, k_two_registers, in_registers<Operation, size()>,
               is_long ? InstructionCost{8, 1} : k_one_word);
-    table.set(code | 8U, k_two_registers, in_memory<Operation, size()>,
-              is_long ? InstructionCost{30, 1, 4, 2} : InstructionCost{18, 1, 2, 1});
+    if constexpr (size() == OperandSize::long_word) {
+      table.set(code | 8U, k_two_registers, in_memory_long<Operation>, {30, 1, 4, 2});
+    } else {
+      table.set(code | 8U, k_two_registers, in_memory<Operation, size()>, {18, 1, 2, 1});
+    }
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "models/board/mc68000/account.hpp"
+#include "models/board/mc68000/instruction_cost.hpp"
 #include "models/board/mc68000/operand_size.hpp"
 
 namespace maquette::models::mc68000 {
@@ -17,14 +18,18 @@ struct BusRequest {
   };
 
   Kind kind;
-  OperandSize size;       // a long word is one request and two accesses
-  std::uint32_t address;  // 24 bits, even unless the size is a byte
-  std::uint32_t value;    // to be written
+  OperandSize size;        // a byte or a word: a long word is two requests
+  std::uint32_t address;   // 24 bits, even unless the size is a byte
+  std::uint32_t value;     // to be written
+  InstructionCost before;  // what the instruction has used when the access begins
 };
+
+/// Cycles of TAS between its read and its write, which are one bus cycle.
+constexpr unsigned k_modify_cycles = 2;
 
 struct BusReply {
   std::uint32_t value = 0;   // that was read
-  unsigned wait_cycles = 0;  // beyond the accesses' four cycles each
+  unsigned wait_cycles = 0;  // beyond the four cycles of an access
   bool error = false;        // a bus error: the processor stops within the instruction
   bool pause = false;        // the processor is to stop after the instruction
 };

@@ -11,15 +11,19 @@ namespace {
 template <class Operation, OperandSize size, Mode mode>
 void immediate(ExecutionUnit& unit, unsigned word) {
   const Operand<size> source = read_operand<Mode::immediate, size>(unit, word);
-  modify_operand<mode, size>(unit, word, [&unit, source](Operand<size> destination) {
-    return Operation::template apply<size>(unit.registers.conditions, destination, source);
-  });
+  modify_operand<mode, size>(
+      unit, word,
+      [&unit, source](Operand<size> destination) {
+        return Operation::template apply<size>(unit.registers.conditions, destination, source);
+      },
+      packed(operand_cost(Mode::immediate, size)));
 }
 
 template <OperandSize size, Mode mode>
 void compare_immediate(ExecutionUnit& unit, unsigned word) {
   const Operand<size> source = read_operand<Mode::immediate, size>(unit, word);
-  const Operand<size> destination = read_operand<mode, size>(unit, word);
+  const Operand<size> destination =
+      read_operand<mode, size>(unit, word, packed(operand_cost(Mode::immediate, size)));
   Compare::apply<size>(unit.registers.conditions, destination, source);
 }
 

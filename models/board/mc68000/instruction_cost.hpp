@@ -20,6 +20,10 @@ constexpr InstructionCost operator+(InstructionCost a, InstructionCost b) {
   return {a.cycles + b.cycles, a.fetches + b.fetches, a.reads + b.reads, a.writes + b.writes};
 }
 
+constexpr InstructionCost operator*(unsigned count, InstructionCost cost) {
+  return {count * cost.cycles, count * cost.fetches, count * cost.reads, count * cost.writes};
+}
+
 /// A cost in 64 bits, cycles on top, so that one addition charges it and one comparison sees
 /// whether a limit of cycles is reached. An access takes four cycles, so that no part overflows
 /// before the cycles do.
@@ -76,11 +80,12 @@ constexpr InstructionCost operand_cost(Mode mode, OperandSize size) {
   return address_cost(mode) + InstructionCost{4 * words, 0, words};
 }
 
+/// An access of data.
+constexpr InstructionCost k_one_read{4, 0, 1};
+constexpr InstructionCost k_one_write{4, 0, 0, 1};
+
 /// What storing an operand costs.
-constexpr InstructionCost store_cost(OperandSize size) {
-  const unsigned words = words_of(size);
-  return {4 * words, 0, 0, words};
-}
+constexpr InstructionCost store_cost(OperandSize size) { return words_of(size) * k_one_write; }
 
 /// An instruction of one word that does nothing but fetch the next.
 constexpr InstructionCost k_one_word{4, 1};

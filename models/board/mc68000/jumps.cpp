@@ -9,6 +9,36 @@ namespace {
 
 constexpr OperandSize k_long = OperandSize::long_word;
 
+// The manual's times of JMP by its modes; the other instructions differ from it by a constant, or
+// count the address in full. Its last access is the fetch of the word behind the one jumped to.
+constexpr InstructionCost cost_until_last_fetch(Mode mode) {
+  switch (mode) {
+    case Mode::indirect:
+      return {4, 1};
+    case Mode::index:
+    case Mode::program_index:
+      return {10, 2};
+    case Mode::absolute_long:
+      return {8, 2};
+    default:
+      return {6, 1};
+  }
+}
+
+constexpr InstructionCost jump_cost(Mode mode) { return cost_until_last_fetch(mode) + k_one_word; }
+
+// An indexed address takes two cycles more than as part of an operand.
+constexpr InstructionCost load_address_cost(Mode mode) {
+  const bool is_indexed = mode == Mode::index || mode == Mode::program_index;
+  return k_one_word + address_cost(mode) + InstructionCost{is_indexed ? 2U : 0U};
+}
+
+// PEA fetches the next instruction before it pushes, but for absolute addresses.
+constexpr InstructionCost cost_until_push(Mode mode) {
+  const bool is_absolute = mode == Mode::absolute_short || mode == Mode::absolute_long;
+  return is_absolute ? address_cost(mode) : load_address_cost(mode);
+}
+
 template <Mode mode>
 void jump(ExecutionUnit& unit, unsigned word) {
   unit.enter(address_of<mode, k_long>(unit, word));
@@ -17,7 +47,7 @@ void jump(ExecutionUnit& unit, unsigned word) {
 template <Mode mode>
 void jump_to_subroutine(ExecutionUnit& unit, unsigned word) {
   const std::uint32_t target = address_of<mode, k_long>(unit, word);
-  unit.push(unit.registers.program_counter);
+  unit.push(unit.registers.program_counter, packed(cost_until_last_fetch(mode)));
   unit.enter(target);
 }
 
@@ -29,7 +59,7 @@ void load_address(ExecutionUnit& unit, unsigned word) {
 
 template <Mode mode>
 void push_address(ExecutionUnit& unit, unsigned word) {
-  unit.push(address_of<mode, k_long>(unit, word));
+  unit.push(address_of<mode, k_long>(unit, word), packed(cost_until_push(mode)));
 }
 
 void return_from_subroutine(ExecutionUnit& unit, unsigned /*word*/) {
@@ -38,7 +68,7 @@ void return_from_subroutine(ExecutionUnit& unit, unsigned /*word*/) {
 
 void return_and_restore(ExecutionUnit& unit, unsigned /*word*/) {
   unit.registers.conditions.set_bits(unit.pop<OperandSize::word>());
-  unit.return_from_subroutine();
+  unit.return_from_subroutine(packed(k_one_read));
 }
 
 // LINK A7 stores the stack pointer as it is after it was lowered.
@@ -47,7 +77,7 @@ void link(ExecutionUnit& unit, unsigned word) {
   std::uint32_t& stack = unit.registers.stack();
   std::uint32_t& frame = unit.registers.address(word);
   stack -= 4;
-  unit.memory.write<k_long>(stack, frame);
+  unit.memory.write<k_long>(stack, frame, packed(k_one_word));
   frame = stack;
   stack += displacement;
 }
@@ -59,28 +89,6 @@ void unlink(ExecutionUnit& unit, unsigned word) {
 }
 
 void no_operation(ExecutionUnit& /*unit*/, unsigned /*word*/) {}
-
-// The manual's times of JMP by its modes; the other instructions differ from it by a constant, or
-// count the address in full.
-constexpr InstructionCost jump_cost(Mode mode) {
-  switch (mode) {
-    case Mode::indirect:
-      return {8, 2};
-    case Mode::index:
-    case Mode::program_index:
-      return {14, 3};
-    case Mode::absolute_long:
-      return {12, 3};
-    default:
-      return {10, 2};
-  }
-}
-
-// An indexed address takes two cycles more than as part of an operand.
-constexpr InstructionCost load_address_cost(Mode mode) {
-  const bool is_indexed = mode == Mode::index || mode == Mode::program_index;
-  return k_one_word + address_cost(mode) + InstructionCost{is_indexed ? 2U : 0U};
-}
 
 }  // namespace
 

@@ -5,6 +5,7 @@
 
 #include "models/board/mc68000/cycle_counter.hpp"
 #include "models/board/mc68000/external_bus.hpp"
+#include "models/board/mc68000/instruction_cost.hpp"
 #include "models/board/mc68000/operand_size.hpp"
 
 namespace maquette::models::mc68000 {
@@ -15,8 +16,15 @@ struct Ram {
   std::uint32_t size = 0;
 };
 
+/// Which of a long word's two words is accessed first.
+enum class WordOrder : std::uint8_t { high_first, low_first };
+
 /// How a processor reaches its RAM, and through an external bus all other addresses. Words and long
 /// words are big-endian; of addresses 24 bits count.
+///
+/// Whoever reads or writes data says what the instruction has used `before` the access, since that
+/// places it on the bus. Assumption: a fetch falls at the start of its instruction; no program of a
+/// board lies off the board.
 class MemoryInterface {
  public:
   /// Throws std::invalid_argument for a RAM of an odd number of bytes or of more than 16 MiB.
@@ -24,22 +32,24 @@ class MemoryInterface {
 
   /// Throws Fault for an odd address of more than a byte, and when the bus replies an error.
   template <OperandSize size>
-  Operand<size> read(std::uint32_t address) {
+  Operand<size> read(std::uint32_t address, PackedCost before,
+                     WordOrder order = WordOrder::high_first) {
     const std::uint32_t place = address & k_address_mask;
     if (is_in_ram<size>(place)) {
       return load<size>(place);
     }
-    return static_cast<Operand<size>>(read_outside(size, place));
+    return static_cast<Operand<size>>(read_outside(size, place, before, order));
   }
 
   /// Throws as read().
   template <OperandSize size>
-  void write(std::uint32_t address, Operand<size> value) {
+  void write(std::uint32_t address, Operand<size> value, PackedCost before,
+             WordOrder order = WordOrder::high_first) {
     const std::uint32_t place = address & k_address_mask;
     if (is_in_ram<size>(place)) {
       store<size>(place, value);
     } else {
-      write_outside(size, place, value);
+      write_outside(size, place, value, before, order);
     }
   }
 
@@ -52,7 +62,7 @@ class MemoryInterface {
   }
 
   /// Reads a byte and sets its highest bit, in one bus cycle. Returns what it was.
-  std::uint8_t test_and_set(std::uint32_t address);
+  std::uint8_t test_and_set(std::uint32_t address, PackedCost before);
 
   /// Whether the bus asked for a pause since the last call.
   bool take_pause();
@@ -90,12 +100,14 @@ class MemoryInterface {
   static std::uint32_t swapped(std::uint32_t value) { return __builtin_bswap32(value); }
   static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__);
 
-  std::uint32_t read_outside(OperandSize size, std::uint32_t place);
-  void write_outside(OperandSize size, std::uint32_t place, std::uint32_t value);
-  std::uint16_t fetch_beyond(std::uint32_t place);
-  [[nodiscard]] bool is_split(OperandSize size, std::uint32_t place) const;
-  std::uint32_t request(BusRequest::Kind kind, OperandSize size, std::uint32_t place,
-                        std::uint32_t value);
+  [[gnu::cold]] std::uint32_t read_outside(OperandSize size, std::uint32_t place, PackedCost before,
+                                           WordOrder order);
+  std::uint32_t read_words(std::uint32_t place, PackedCost before, WordOrder order);
+  [[gnu::cold]] void write_outside(OperandSize size, std::uint32_t place, std::uint32_t value,
+                                   PackedCost before, WordOrder order);
+  void write_words(std::uint32_t place, std::uint32_t value, PackedCost before, WordOrder order);
+  [[gnu::cold]] std::uint16_t fetch_beyond(std::uint32_t place);
+  std::uint32_t request(const BusRequest& request);
 
   Ram ram_;
   std::uint32_t words_;  // of the RAM

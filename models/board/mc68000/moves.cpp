@@ -7,10 +7,32 @@ namespace maquette::models::mc68000 {
 
 namespace {
 
+// What is used before the destination is written. With -(An) the next instruction is fetched before
+// it; with an absolute long address what follows its upper word is fetched after it, when the
+// source was in memory.
+constexpr InstructionCost cost_until_write(OperandSize size, Mode source, Mode destination) {
+  const InstructionCost until_source = operand_cost(source, size);
+  if (destination == Mode::predecrement) {
+    return until_source + k_one_word;
+  }
+  if (destination == Mode::absolute_long && !is_register_or_immediate(source)) {
+    return until_source + k_one_word;
+  }
+  return until_source + address_cost(destination);
+}
+
 template <OperandSize size, Mode source, Mode destination>
 void move(ExecutionUnit& unit, unsigned word) {
   const Operand<size> value = read_operand<source, size>(unit, word);
-  write_operand<destination, size>(unit, upper_register(word), value);
+  const unsigned field = upper_register(word);
+  if constexpr (destination == Mode::data_register) {
+    write_data_register<size>(unit, field, value);
+  } else {
+    constexpr bool downwards = destination == Mode::predecrement;
+    unit.memory.write<size>(address_of<destination, size>(unit, field), value,
+                            packed(cost_until_write(size, source, destination)),
+                            downwards ? WordOrder::low_first : WordOrder::high_first);
+  }
   unit.registers.conditions.set_logical<size>(value);
 }
 

@@ -15,6 +15,9 @@ void charge_registers(ExecutionUnit& unit, unsigned count, InstructionCost words
                                       words_of(size) * words.writes}));
 }
 
+// What is used before the first register is moved: the mask is fetched, and the address found.
+constexpr InstructionCost cost_until_first(Mode mode) { return k_one_word + address_cost(mode); }
+
 // In the mask of a predecremented destination A7 comes first. A register that is its own base is
 // stored as it was before.
 template <OperandSize size>
@@ -27,7 +30,9 @@ void store_downwards(ExecutionUnit& unit, unsigned word) {
       continue;
     }
     address -= bytes_of(size);
-    unit.memory.write<size>(address, low_part<size>(unit.registers.general[k_registers - 1 - bit]));
+    unit.memory.write<size>(address, low_part<size>(unit.registers.general[k_registers - 1 - bit]),
+                            packed(k_one_word) + count * packed(store_cost(size)),
+                            WordOrder::low_first);
     ++count;
   }
   unit.registers.address(word) = address;
@@ -43,7 +48,8 @@ void store_registers(ExecutionUnit& unit, unsigned word) {
     if ((mask >> number & 1U) == 0) {
       continue;
     }
-    unit.memory.write<size>(address, low_part<size>(unit.registers.general[number]));
+    unit.memory.write<size>(address, low_part<size>(unit.registers.general[number]),
+                            packed(cost_until_first(mode)) + count * packed(store_cost(size)));
     address += bytes_of(size);
     ++count;
   }
@@ -54,6 +60,7 @@ void store_registers(ExecutionUnit& unit, unsigned word) {
 template <OperandSize size, Mode mode>
 void load_registers(ExecutionUnit& unit, unsigned word) {
   constexpr Mode start = mode == Mode::postincrement ? Mode::indirect : mode;
+  constexpr PackedCost load = packed(words_of(size) * k_one_read);
   const unsigned mask = unit.fetch();
   std::uint32_t address = address_of<start, size>(unit, word);
   unsigned count = 0;
@@ -61,11 +68,12 @@ void load_registers(ExecutionUnit& unit, unsigned word) {
     if ((mask >> number & 1U) == 0) {
       continue;
     }
-    unit.registers.general[number] = sign_extended<size>(unit.memory.read<size>(address));
+    unit.registers.general[number] = sign_extended<size>(
+        unit.memory.read<size>(address, packed(cost_until_first(mode)) + count * load));
     address += bytes_of(size);
     ++count;
   }
-  unit.memory.read<OperandSize::word>(address);
+  unit.memory.read<OperandSize::word>(address, packed(cost_until_first(mode)) + count * load);
   if constexpr (mode == Mode::postincrement) {
     unit.registers.address(word) = address;
   }
@@ -77,9 +85,10 @@ template <OperandSize size>
 void store_peripheral(ExecutionUnit& unit, unsigned word) {
   std::uint32_t address = address_of<Mode::displacement, size>(unit, word);
   const std::uint32_t value = unit.registers.data(upper_register(word));
-  for (unsigned shift = k_bits<size>; shift != 0; shift -= 8) {
-    unit.memory.write<OperandSize::byte>(address,
-                                         low_part<OperandSize::byte>(value >> (shift - 8)));
+  for (unsigned byte = 0; byte < bytes_of(size); ++byte) {
+    const unsigned shift = k_bits<size> - 8 * (byte + 1);
+    unit.memory.write<OperandSize::byte>(address, low_part<OperandSize::byte>(value >> shift),
+                                         packed(k_one_word) + byte * packed(k_one_write));
     address += 2;
   }
 }
@@ -89,7 +98,8 @@ void load_peripheral(ExecutionUnit& unit, unsigned word) {
   std::uint32_t address = address_of<Mode::displacement, size>(unit, word);
   std::uint32_t value = 0;
   for (unsigned byte = 0; byte < bytes_of(size); ++byte) {
-    value = value << 8U | unit.memory.read<OperandSize::byte>(address);
+    value = value << 8U | unit.memory.read<OperandSize::byte>(
+                              address, packed(k_one_word) + byte * packed(k_one_read));
     address += 2;
   }
   write_data_register<size>(unit, upper_register(word), low_part<size>(value));

@@ -64,7 +64,8 @@ void test_and_set(ExecutionUnit& unit, unsigned word) {
     before = low_part<OperandSize::byte>(unit.registers.data(word));
     unit.registers.data(word) |= 0x80U;
   } else {
-    before = unit.memory.test_and_set(address_of<mode, OperandSize::byte>(unit, word));
+    before = unit.memory.test_and_set(address_of<mode, OperandSize::byte>(unit, word),
+                                      packed(address_cost(mode)));
   }
   unit.registers.conditions.set_logical<OperandSize::byte>(before);
 }

@@ -65,7 +65,7 @@ void move_from_user_stack(ExecutionUnit& unit, unsigned word) {
 void return_from_exception(ExecutionUnit& unit, unsigned /*word*/) {
   unit.require_supervisor();
   const std::uint16_t status = unit.pop<k_word>();
-  unit.return_from_subroutine();
+  unit.return_from_subroutine(packed(k_one_read));
   set_status(unit, status);
 }
 

@@ -45,11 +45,13 @@ TEST_CASE("accesses off the board come in order, at their cycles, and reads get 
   CHECK(event.request.address == 0x800000);
   CHECK(event.request.value == 0x1234);
   CHECK(event.account.cycles == 0);
+  CHECK(event.request.before.cycles == 12);  // the value and the address are fetched
   event = program.next();
   REQUIRE(event.kind == Kind::access);
   CHECK(event.request.kind == Request::Kind::read);
   CHECK(event.request.address == 0x900000);
   CHECK(event.account.cycles == 20);  // MOVE.W #,xxx.L: 20(4/1)
+  CHECK(event.request.before.cycles == 8);
   program.answer(0xABCD);
   event = program.next();
   REQUIRE(event.kind == Kind::access);
