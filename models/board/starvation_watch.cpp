@@ -6,7 +6,7 @@ namespace maquette::models {
 
 namespace {
 
-constexpr int k_failures_between_looks = 50'000;
+constexpr int k_failures_between_looks = 10'000;
 
 }  // namespace
 
