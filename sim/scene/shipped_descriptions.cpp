@@ -76,9 +76,9 @@ std::string description_file(const std::string& name, const std::vector<std::str
       }
       names.push_back(description.name);
     }
-    kinds_text.append(kinds_text.empty() ? "" : " and ").append(kind);
+    kinds_text.append(kinds_text.empty() ? "" : ", ").append(kind);
   }
-  refuse("`" + name + "` is not among the shipped " + kinds_text + " nor the name of a file; " +
+  refuse("`" + name + "` is neither a file nor shipped (" + kinds_text + "); " +
              allowed_names(name, {names.begin(), names.end()}),
          place);
 }
