@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/report/run_directory.hpp"
+#include "tools/benchmark/calibration_loop.hpp"
 #include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/rows.hpp"
 
@@ -40,9 +41,14 @@ std::vector<Row> measure_processor(const Paths& paths) {
   const nlohmann::json priced = host_times(paths, "motorola_ffp");
   const nlohmann::json executed = host_times(paths, "maquette_ffp");
   const double instruction_s = seconds(executed, "instruction");
-  return {{"instruction_rate", value_of(executed, "instruction", "cycles_per_host_second") / k_giga,
-           "Gcycles/s", std::nullopt,
+  const double rate = value_of(executed, "instruction", "cycles_per_host_second");
+  const double steps_per_s = k_calibration_steps / calibration_loop_s();
+  return {{"instruction_rate", rate / k_giga, "Gcycles/s", std::nullopt,
            "clocks of the executed program and package in a second of processor time"},
+          {"calibration_loop", steps_per_s / k_giga, "Gsteps/s", std::nullopt,
+           "steps of a fixed loop of plain C++ in the same run"},
+          {"instruction_over_loop", rate / steps_per_s, "1", std::nullopt,
+           "executed clocks for a step of that loop: the rate whatever the machine"},
           {"exact_instruction_rate",
            value_of(executed, "arithmetic by the host", "cycles_per_host_second") / k_giga,
            "Gcycles/s", std::nullopt, "the same with arithmetic by the host at its exact cost"},
