@@ -54,12 +54,13 @@ void require_end(const mc68000::Stop& stop) {
 }  // namespace
 
 InstructionProcessor::InstructionProcessor(const Kvm02Parameters& parameters, const VersaBus& bus,
-                                           std::uint64_t next_unit, Processor& processor,
+                                           const SharedWindow& shared, Processor& processor,
                                            Observer written)
     : time_(parameters),
+      shared_(shared),
       word_bytes_(bus.word_bytes()),
       processor_(processor),
-      watch_(bus, processor, next_unit),
+      watch_(bus, processor, shared.next_unit()),
       written_(std::move(written)) {
   test_and_set_.transaction.test_and_set = true;
   test_and_set_.transaction.modify = processor.clock().times(mc68000::k_modify_cycles);
@@ -111,6 +112,7 @@ std::uint32_t InstructionProcessor::read(const BusRequest& request) {
   read_.bytes.resize(bytes_of(request, word_bytes_));
   read_.aim(request.address);
   processor_.transact(read_);
+  database_words_ += request.address >= shared_.database() ? 1 : 0;
   return value_of(request, read_.bytes);
 }
 

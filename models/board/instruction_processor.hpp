@@ -6,6 +6,7 @@
 #include "models/board/board_program.hpp"
 #include "models/board/processor.hpp"
 #include "models/board/program_time.hpp"
+#include "models/board/shared_memory.hpp"
 #include "models/board/starvation_watch.hpp"
 #include "models/bus/bus_burst.hpp"
 
@@ -19,10 +20,9 @@ class InstructionProcessor {
   /// Called with each word or byte that the program has written off the board.
   using Observer = std::function<void(std::uint64_t address, std::uint32_t value)>;
 
-  /// `next_unit` is the address of the counter that boards share. Bus and processor are kept by
-  /// reference. Throws as ProgramTime.
+  /// Bus and processor are kept by reference. Throws as ProgramTime.
   InstructionProcessor(const Kvm02Parameters& parameters, const VersaBus& bus,
-                       std::uint64_t next_unit, Processor& processor, Observer written);
+                       const SharedWindow& shared, Processor& processor, Observer written);
 
   /// Runs the program to its end, in the board's SystemC process. Reports an error when it stops
   /// for another reason than that it has come to its end.
@@ -32,6 +32,8 @@ class InstructionProcessor {
   [[nodiscard]] Duration preprocessing() const { return preprocessing_; }
   [[nodiscard]] std::int64_t locks_taken() const { return locks_taken_; }
   [[nodiscard]] std::int64_t failed_tries() const { return failed_tries_; }
+  /// Read of a database that boards share.
+  [[nodiscard]] std::int64_t database_words() const { return database_words_; }
 
  private:
   void spend(const ProgramEvent& event);
@@ -41,6 +43,7 @@ class InstructionProcessor {
   std::uint32_t test_and_set(const mc68000::BusRequest& request);
 
   ProgramTime time_;
+  SharedWindow shared_;
   unsigned word_bytes_;
   Processor& processor_;
   StarvationWatch watch_;
@@ -52,6 +55,7 @@ class InstructionProcessor {
   BusBurst test_and_set_{tlm::TLM_READ_COMMAND};
   std::int64_t locks_taken_ = 0;
   std::int64_t failed_tries_ = 0;
+  std::int64_t database_words_ = 0;
 };
 
 }  // namespace maquette::models

@@ -112,7 +112,7 @@ void Kvm02::execute(const ProgramEntry& entry, const HostRoutines& host_routines
   host_routines_ = host_routines;
   slots_ = &slots;
   executing_.emplace(
-      parameters_, bus_, shared_.next_unit(), processor_,
+      parameters_, bus_, shared_, processor_,
       [this](std::uint64_t address, std::uint32_t value) { check_written(address, value); });
 }
 
@@ -215,6 +215,7 @@ BoardStatistics Kvm02::statistics(Instant instant) const {
   if (executing_) {
     statistics.claims = executing_->locks_taken();
     statistics.failed_tries = executing_->failed_tries();
+    statistics.database_words = executing_->database_words();
   }
   return statistics;
 }

@@ -83,6 +83,7 @@ void set_programs(const PackedScene<float>& packed, const Machine& machine, int 
     program.entry = program_entry(image);
     program.host_routines = host_routines(machine, image);
   });
+  require_execution(machine, setup.shared_database.size());
   program.threads = threads;
   setup.program = std::move(program);
 }

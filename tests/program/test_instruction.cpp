@@ -59,6 +59,8 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
         "--set processors=1",
         "--set processors=7",
         "--set board.release=block",
+        "--set board.database=shared",
+        "--set board.database=shared --set allotment.assignment=on_demand",
         "--set board.pixel_write=line --set allotment.order=tiles",
         "--set host.loads_code=false",
         "--machine m68000-12mhz5"}) {
@@ -79,6 +81,31 @@ TEST_CASE("the host loads the same, whether boards execute their program or are 
         statistics(run(scratch, "executed", "--processor instruction " + options));
     CHECK(counted["frame"]["load_s"] == executed["frame"]["load_s"]);
   }
+}
+
+TEST_CASE("boards that execute their program read a shared database word by word over the bus") {
+  const ScratchDirectory scratch;
+  const auto bus_of = [&](const std::string& name, const std::string& options) {
+    return statistics(run(scratch, name, "--processor instruction " + options))["bus"];
+  };
+  const auto own = bus_of("own", "");
+  const auto shared = bus_of("shared", "--set board.database=shared");
+  const auto words = shared["database_words"].get<std::int64_t>();
+  CHECK(own["database_words"] == 0);
+  CHECK(words > 1000);
+  CHECK(shared["transfers"].get<std::int64_t>() == own["transfers"].get<std::int64_t>() + words);
+}
+
+TEST_CASE("an executed board that starves is told by its name") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const Outcome outcome = run_maquette(
+      "run " + scene +
+      " --processor instruction --set allotment.assignment=on_demand --set processors=8"
+      " --set 'board.clock=200 MHz'" +
+      k_coarse + (scratch / "starving").string());
+  CHECK(outcome.exit_code == 2);
+  CHECK_THAT(outcome.errors, ContainsSubstring("machine.board") && ContainsSubstring("starves"));
 }
 
 TEST_CASE("an executed frame is the same bytes from any number of host threads") {
@@ -110,7 +137,8 @@ TEST_CASE("machines whose boards can not execute the program are refused with th
     CHECK_FALSE(std::filesystem::exists(scratch / "refused"));
     return outcome.errors;
   };
-  CHECK_THAT(refused("--set board.database=shared"), ContainsSubstring("board.database=own_copy"));
+  CHECK_THAT(refused("--set board.database=shared --set 'board.database_cache=1 Kbyte'"),
+             ContainsSubstring("board.database_cache"));
   CHECK_THAT(refused("--set 'bus.data_width=32 bits'"), ContainsSubstring("bus.data_width"));
   CHECK_THAT(refused("--set board.arithmetic=vax_11_750_fpa"), ContainsSubstring("vax_11_750_fpa"));
   CHECK_THAT(refused("--set board.arithmetic=mc68881"), ContainsSubstring("mc68881"));
