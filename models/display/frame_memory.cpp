@@ -20,6 +20,11 @@ unsigned byte_shift(std::uint64_t byte) {
   return 8U * (FrameMemory::k_pixel_bytes - 1 - static_cast<unsigned>(byte));
 }
 
+/// Whether the last byte of a pixel is among these, with which its depth is complete.
+bool holds_depth(std::uint64_t address, unsigned bytes) {
+  return address % FrameMemory::k_pixel_bytes + bytes >= FrameMemory::k_pixel_bytes;
+}
+
 }  // namespace
 
 FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
@@ -29,10 +34,12 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
       bus_ports("bus_port"),
       parameters_(parameters),
       format_(parameters),
-      background_(format_.written(background, k_farthest) & format_.kept()),
-      unhindered_(to_sc_time(parameters.access_time)) {
+      background_(format_.written(background, k_farthest) & format_.kept()) {
   if (parameters.access_time < Duration::zero()) {
     throw std::invalid_argument("the access time of the frame memory must not be negative");
+  }
+  if (compares_depth(parameters) && parameters.depth_bits == 0) {
+    throw std::invalid_argument("depths that are compared need depth planes");
   }
   if (parameters.video_priority) {
     slots_.emplace(timing, parameters);
@@ -71,16 +78,19 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
   }
   const auto* strobe = payload.get_extension<BusStrobe>();
   const Instant asked = strobe != nullptr ? strobe->instant : kernel_now() + to_duration(delay);
-  const Instant begun = slots_ ? slots_->earliest_access(asked) : asked;
-  const Instant done = begun + parameters_.access_time;
-  delay += begun == asked ? unhindered_ : to_sc_time(done - asked);
+  const Instant done = end_of(payload, asked);
+  delay += to_sc_time(done - asked);
   const std::uint64_t address = payload.get_address();
   const unsigned bytes = payload.get_data_length();
   if (payload.is_read()) {
     read(address, payload.get_data_ptr(), bytes);
     return;
   }
-  write(address, payload.get_data_ptr(), bytes);
+  if (compares_depth(parameters_)) {
+    write_unless_farther(address, payload.get_data_ptr(), bytes);
+  } else {
+    write(address, payload.get_data_ptr(), bytes);
+  }
   count_write(address, bytes);
   if (log_) {
     for (auto pixel = address / k_pixel_bytes; pixel * k_pixel_bytes < address + bytes; ++pixel) {
@@ -88,6 +98,16 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
                 format_.colour(stored_[static_cast<std::size_t>(pixel)])});
     }
   }
+}
+
+Instant FrameMemory::access_end(Instant asked) const {
+  return (slots_ ? slots_->earliest_access(asked) : asked) + parameters_.access_time;
+}
+
+Instant FrameMemory::end_of(const tlm::tlm_generic_payload& payload, Instant asked) const {
+  const bool compares = compares_depth(parameters_) && payload.is_write() &&
+                        holds_depth(payload.get_address(), payload.get_data_length());
+  return access_end(compares ? access_end(asked) : asked);
 }
 
 // One backplane may be ahead of another.
@@ -120,6 +140,20 @@ void FrameMemory::write(std::uint64_t address, const unsigned char* data, unsign
   }
 }
 
+void FrameMemory::write_unless_farther(std::uint64_t address, const unsigned char* data,
+                                       unsigned bytes) {
+  for (unsigned offset = 0; offset < bytes; ++offset) {
+    const std::uint64_t byte = (address + offset) % k_pixel_bytes;
+    const unsigned shift = byte_shift(byte);
+    waiting_ = (waiting_ & ~(k_byte << shift)) | static_cast<std::uint32_t>(data[offset]) << shift;
+    if (byte == k_pixel_bytes - 1) {
+      std::uint32_t& stored = stored_[static_cast<std::size_t>((address + offset) / k_pixel_bytes)];
+      const std::uint32_t kept = waiting_ & format_.kept();
+      stored = format_.depth(kept) <= format_.depth(stored) ? kept : stored;
+    }
+  }
+}
+
 void FrameMemory::count_write(std::uint64_t address, unsigned bytes) {
   for (std::uint64_t half = address / 2; half < (address + bytes + 1) / 2; ++half) {
     std::uint8_t& counts = write_counts_[static_cast<std::size_t>(half / 2)];
@@ -146,9 +180,10 @@ Picture FrameMemory::picture() const {
   return picture;
 }
 
-std::vector<std::uint16_t> FrameMemory::depths() const {
-  std::vector<std::uint16_t> depths(stored_.size());
-  std::transform(stored_.begin(), stored_.end(), depths.begin(),
+DepthMap FrameMemory::depths() const {
+  DepthMap depths{parameters_.width, parameters_.height, {}};
+  depths.values.resize(stored_.size());
+  std::transform(stored_.begin(), stored_.end(), depths.values.begin(),
                  [this](std::uint32_t stored) { return format_.depth(stored); });
   return depths;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/bus/instant.hpp"
+#include "models/display/depth_map.hpp"
 #include "models/display/frame_memory_parameters.hpp"
 #include "models/display/picture.hpp"
 #include "models/display/pixel_format.hpp"
@@ -29,13 +30,19 @@ struct PixelWriteRecord {
 /// Assumption: with several bus ports the memory is interleaved so that they do not delay one
 /// another; the video reader's slots delay each of them.
 ///
+/// Where it compares depths, the colour of a pixel waits until its depth has come, which is read
+/// and compared first: colour and depth are kept unless what is there is nearer. Assumption:
+/// reading it takes another access; there is one place to wait in, so that the words of two pixels
+/// must not mix, for which whoever builds the machine cares.
+///
 /// Assumption: before the frame the video port clears the memory to the background during one
 /// field, at no cost to the boards. A write is done at the end of its memory access.
 class FrameMemory : public sc_core::sc_module {
  public:
   static constexpr unsigned k_pixel_bytes = 4;
 
-  /// Throws std::invalid_argument as PixelFormat, VideoTiming and VideoSlots. `background` is
+  /// Throws std::invalid_argument as PixelFormat, VideoTiming and VideoSlots, and for depths that
+  /// are to be compared and have no planes. `background` is
   /// 0xRRGGBB. `keep_log` remembers every write.
   FrameMemory(const sc_core::sc_module_name& name, const FrameMemoryParameters& parameters,
               const VideoTiming& timing, std::uint32_t background, bool keep_log);
@@ -47,8 +54,8 @@ class FrameMemory : public sc_core::sc_module {
   /// What the memory holds at the end.
   [[nodiscard]] Picture picture() const;
 
-  /// The depths it holds at the end, row-major; 0 without depth planes. The background is farthest.
-  [[nodiscard]] std::vector<std::uint16_t> depths() const;
+  /// The depths it holds at the end; 0 without depth planes. The background is farthest.
+  [[nodiscard]] DepthMap depths() const;
 
   /// What it held at `instant`. Throws std::logic_error when no log was kept.
   [[nodiscard]] Picture picture_at(Instant instant) const;
@@ -68,7 +75,10 @@ class FrameMemory : public sc_core::sc_module {
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
   [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;
   void remember(const PixelWriteRecord& write);
+  [[nodiscard]] Instant access_end(Instant asked) const;
+  [[nodiscard]] Instant end_of(const tlm::tlm_generic_payload& payload, Instant asked) const;
   void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
+  void write_unless_farther(std::uint64_t address, const unsigned char* data, unsigned bytes);
   void count_write(std::uint64_t address, unsigned bytes);
   void read(std::uint64_t address, unsigned char* data, unsigned bytes) const;
 
@@ -76,8 +86,8 @@ class FrameMemory : public sc_core::sc_module {
   std::optional<VideoSlots> slots_;
   PixelFormat format_;
   std::uint32_t background_;
-  sc_core::sc_time unhindered_;             // an access that no slot delays
   std::vector<std::uint32_t> stored_;       // as PixelFormat, bits without a plane zero
+  std::uint32_t waiting_ = 0;               // colour of the pixel whose depth is compared next
   std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
   std::optional<std::vector<PixelWriteRecord>> log_;
 };

@@ -180,7 +180,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       {"stats.json", statistics_json(result.statistics)},
       {"config.yaml", effective_configuration(description.scene, description.machine)}};
   if (result.depths) {
-    files.push_back({"depth.png", encode_png(*result.depths)});
+    files.push_back({"depth.png", encode_depths(*result.depths)});
   }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);

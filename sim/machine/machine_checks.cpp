@@ -164,6 +164,24 @@ void check_planes(const models::FrameMemoryParameters& memory, const YamlNode& r
   }
 }
 
+/// The colour of a pixel waits for its depth, and there is one place to wait in.
+void check_depth_compare(const models::MachineParameters& parameters, const YamlNode& root) {
+  constexpr int k_pixel_bits = 32;
+  if (!parameters.frame_memory.depth_compare) {
+    return;
+  }
+  if (parameters.frame_memory.depth_bits == 0) {
+    fail_at(root, "frame_memory.depth_compare",
+            "there is no depth to compare; allowed with frame_memory.depth of 1 to 16 bits");
+  }
+  if (models::compares_depth(parameters.frame_memory) && parameters.boards.size() > 1 &&
+      parameters.bus.data_width_bits != k_pixel_bits) {
+    fail_at(root, "frame_memory.depth_compare",
+            "between colour and depth of one board's pixel another's may come; allowed with one "
+            "processor, or with a bus.data_width of 32 bits");
+  }
+}
+
 void check_board(const Machine& machine, const YamlNode& root) {
   const models::Kvm02Parameters& board = machine.parameters.board;
   if (machine.stack_bytes + machine.system_bytes >= board.ram_bytes) {
@@ -226,8 +244,12 @@ void check_timeout(const models::MachineParameters& parameters, const YamlNode& 
   check(parameters.board.dual_port_access, "board.dual_port_access");
   check(parameters.shared_memory.access_time, "shared_memory.access_time");
   check(memory.access_time, "frame_memory.access_time");
+  const int accesses = models::compares_depth(memory) ? 2 : 1;
+  if (accesses > 1) {
+    check(accesses * memory.access_time, "frame_memory.depth_compare");
+  }
   if (memory.video_priority) {
-    check(memory.access_time + memory.video_slot_time, "frame_memory.video_slot_time");
+    check(accesses * (memory.access_time + memory.video_slot_time), "frame_memory.video_slot_time");
   }
 }
 
@@ -238,6 +260,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_places(machine, root);
   check_board(machine, root);
   check_planes(machine.parameters.frame_memory, root);
+  check_depth_compare(machine.parameters, root);
   check_picture_width(machine.parameters, root);
   check_picture_lines(machine.parameters, root);
   check_video_slots(machine.parameters, root);

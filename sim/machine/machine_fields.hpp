@@ -172,6 +172,10 @@ void declare_frame_memory(Visitor& visitor, models::FrameMemoryParameters& memor
   visitor.field({"depth", "planes of depth, written with each pixel; 0: none",
                  "CCETT paper, section V.2.3.3: none [R]"},
                 memory.depth_bits, WholeType{WholeDimension::bits, {0, 16}});
+  visitor.field({"depth_compare",
+                 "a pixel replaces none that is nearer, for which its depth takes two accesses",
+                 "16 bits in Z, CCETT paper, section VI [R]; that they are compared [I]"},
+                memory.depth_compare, FlagType{});
   visitor.field({"ports", "bus ports, each with a backplane; board b is on port b modulo ports",
                  "one VERSAbus, CCETT paper, section V.2.3.3 [R]"},
                 memory.ports, WholeType{WholeDimension::count, {1, 64}});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/png_codec.hpp"
@@ -42,21 +43,33 @@ const PngCodec& codec() {
   return loaded;
 }
 
+void check_size(int width, int height, std::size_t pixels) {
+  if (width <= 0 || height <= 0 || pixels != pixel_count(width, height)) {
+    throw std::invalid_argument("a picture needs width * height pixels, and at least one");
+  }
+}
+
+void check_done(const std::string& error) {
+  if (!error.empty()) {
+    throw std::runtime_error(error);
+  }
+}
+
 }  // namespace
 
 void prepare_png() { codec(); }
 
 std::string encode_png(const models::Picture& picture) {
-  if (picture.width <= 0 || picture.height <= 0 ||
-      picture.pixels.size() != pixel_count(picture.width, picture.height)) {
-    throw std::invalid_argument("a picture needs width * height pixels, and at least one");
-  }
+  check_size(picture.width, picture.height, picture.pixels.size());
   std::string bytes;
-  const std::string error =
-      codec().encode({picture.width, picture.height, to_channels(picture.pixels)}, bytes);
-  if (!error.empty()) {
-    throw std::runtime_error(error);
-  }
+  check_done(codec().encode({picture.width, picture.height, to_channels(picture.pixels)}, bytes));
+  return bytes;
+}
+
+std::string encode_depths(const models::DepthMap& depths) {
+  check_size(depths.width, depths.height, depths.values.size());
+  std::string bytes;
+  check_done(codec().encode_grey({depths.width, depths.height, depths.values}, bytes));
   return bytes;
 }
 
@@ -67,6 +80,15 @@ models::Picture decode_png(const std::string& bytes, const std::string& name) {
     throw DescriptionError(name + ": " + error);
   }
   return {image.width, image.height, to_pixels(image.channels)};
+}
+
+models::DepthMap decode_depths(const std::string& bytes, const std::string& name) {
+  GreyImage image;
+  const std::string error = codec().decode_grey(bytes, image);
+  if (!error.empty()) {
+    throw DescriptionError(name + ": " + error);
+  }
+  return {image.width, image.height, std::move(image.values)};
 }
 
 }  // namespace maquette::sim

@@ -10,11 +10,19 @@ namespace {
 
 constexpr int k_channels = 3;
 
+/// The channels of a picture in memory.
+struct Channels {
+  int width;
+  int height;
+  int count;
+  OIIO::TypeDesc type;
+};
+
 // Run lengths of differences to the row above: for 768x575 pixels 9 ms and within 2 % of the
 // smallest file; the library's defaults take 50 ms and more.
-OIIO::ImageSpec png_specification(const PngImage& image) {
+OIIO::ImageSpec png_specification(const Channels& channels) {
   constexpr int png_filter_up = 0x20;
-  OIIO::ImageSpec specification(image.width, image.height, k_channels, OIIO::TypeDesc::UINT8);
+  OIIO::ImageSpec specification(channels.width, channels.height, channels.count, channels.type);
   specification.attribute("png:compressionLevel", 1);
   specification.attribute("png:filter", png_filter_up);
   specification.attribute("compression", "rle");
@@ -42,7 +50,7 @@ std::string without_exif(const std::vector<unsigned char>& file) {
   return bytes;
 }
 
-std::string encode(const PngImage& image, std::string& bytes) {
+std::string write(const Channels& channels, const void* values, std::string& bytes) {
   std::vector<unsigned char> file;
   OIIO::Filesystem::IOVecOutput memory(file);
   const auto output = OIIO::ImageOutput::create("png");
@@ -50,15 +58,27 @@ std::string encode(const PngImage& image, std::string& bytes) {
     return "OpenImageIO cannot write PNG: " + OIIO::geterror();
   }
   output->set_ioproxy(&memory);
-  if (!output->open("memory.png", png_specification(image)) ||
-      !output->write_image(OIIO::TypeDesc::UINT8, image.channels.data()) || !output->close()) {
+  if (!output->open("memory.png", png_specification(channels)) ||
+      !output->write_image(channels.type, values) || !output->close()) {
     return "OpenImageIO cannot write PNG: " + first_error(*output);
   }
   bytes = without_exif(file);
   return {};
 }
 
-std::string decode(const std::string& bytes, PngImage& image) {
+std::string encode(const PngImage& image, std::string& bytes) {
+  return write({image.width, image.height, k_channels, OIIO::TypeDesc::UINT8},
+               image.channels.data(), bytes);
+}
+
+std::string encode_grey(const GreyImage& image, std::string& bytes) {
+  return write({image.width, image.height, 1, OIIO::TypeDesc::UINT16}, image.values.data(), bytes);
+}
+
+/// Reads a file into an image, whose values are of the channels' type; `wanted` names them.
+template <class Value>
+std::string read(const std::string& bytes, const Channels& channels, const char* wanted, int& width,
+                 int& height, std::vector<Value>& values) {
   OIIO::Filesystem::IOMemReader memory(bytes.data(), bytes.size());
   const auto input = OIIO::ImageInput::create("png");
   if (!input) {
@@ -69,23 +89,35 @@ std::string decode(const std::string& bytes, PngImage& image) {
   if (!input->open("memory.png", specification)) {
     return "is not a PNG file that can be read: " + first_error(*input);
   }
-  if (specification.nchannels != k_channels || specification.format != OIIO::TypeDesc::UINT8) {
-    return "has not the three 8-bit channels of a frame";
+  if (specification.nchannels != channels.count || specification.format != channels.type) {
+    return std::string("has not ") + wanted;
   }
-  image.width = specification.width;
-  image.height = specification.height;
-  image.channels.resize(static_cast<std::size_t>(image.width) *
-                        static_cast<std::size_t>(image.height) * k_channels);
-  if (!input->read_image(0, 0, 0, k_channels, OIIO::TypeDesc::UINT8, image.channels.data())) {
+  width = specification.width;
+  height = specification.height;
+  values.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                static_cast<std::size_t>(channels.count));
+  if (!input->read_image(0, 0, 0, channels.count, channels.type, values.data())) {
     return "is damaged: " + first_error(*input);
   }
   return {};
+}
+
+std::string decode(const std::string& bytes, PngImage& image) {
+  return read(bytes, {0, 0, k_channels, OIIO::TypeDesc::UINT8},
+              "the three 8-bit channels of a frame", image.width, image.height, image.channels);
+}
+
+std::string decode_grey(const std::string& bytes, GreyImage& image) {
+  return read(bytes, {0, 0, 1, OIIO::TypeDesc::UINT16}, "the one 16-bit channel of depths",
+              image.width, image.height, image.values);
 }
 
 }  // namespace
 }  // namespace maquette::sim
 
 extern "C" const maquette::sim::PngCodec* maquette_png_codec() {
-  static const maquette::sim::PngCodec codec{maquette::sim::encode, maquette::sim::decode};
+  static const maquette::sim::PngCodec codec{maquette::sim::encode, maquette::sim::decode,
+                                             maquette::sim::encode_grey,
+                                             maquette::sim::decode_grey};
   return &codec;
 }

@@ -64,20 +64,6 @@ void take_snapshots(const models::CcettMachine& model, const SimulationRequest& 
   }
 }
 
-/// The depths as a picture, black is near.
-std::optional<models::Picture> depths_of(const models::FrameMemory& memory,
-                                         const PictureFormat& format) {
-  if (!format.has_depth) {
-    return std::nullopt;
-  }
-  models::Picture picture{format.width, format.height, {}};
-  for (const std::uint16_t depth : memory.depths()) {
-    constexpr std::uint32_t k_grey = 0x010101;
-    picture.pixels.push_back((depth >> 8U) * k_grey);
-  }
-  return picture;
-}
-
 /// The machine with RAM enough for what its boards are allowed to overflow it with.
 Machine with_room(const Machine& machine, const MemoryMap& map) {
   Machine roomy = machine;
@@ -163,7 +149,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
   if (request.picture) {
     result.picture = model.frame_memory().picture();
-    result.depths = depths_of(model.frame_memory(), picture_format_of(machine));
+    if (picture_format_of(machine).has_depth) {
+      result.depths = model.frame_memory().depths();
+    }
   }
   take_snapshots(model, request, result);
   for (const int board : request.dumped_boards) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "models/display/depth_map.hpp"
 #include "models/display/picture.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
@@ -38,9 +39,9 @@ using Continue = std::function<bool(models::Duration simulated, double fraction)
 /// What a simulation gives.
 struct SimulationResult {
   Statistics statistics;
-  std::string times_from;                 ///< what the boards' times are told from
-  models::Picture picture;                ///< the frame memory at the end, when it was asked for
-  std::optional<models::Picture> depths;  ///< top eight bits as greys, of a display with depths
+  std::string times_from;                  ///< what the boards' times are told from
+  models::Picture picture;                 ///< the frame memory at the end, when it was asked for
+  std::optional<models::DepthMap> depths;  ///< of a display with depths, likewise
   std::vector<models::Picture> snapshots;
   std::vector<models::Picture> shown_snapshots;
   std::vector<std::vector<unsigned char>> rams;  ///< of the dumped boards, at the end

@@ -1,3 +1,5 @@
+#include <set>
+
 #include "sim/picture/image_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/program.hpp"
@@ -92,20 +94,28 @@ TEST_CASE("The paper's second machine keeps a depth with each pixel") {
   const ScratchDirectory scratch;
   require_good(run_into(scratch / "run", k_sphere, "--machine vax-11-750"));
   const auto depths =
-      maquette::sim::decode_png(content_of(scratch / "run" / "depth.png"), "depth.png");
+      maquette::sim::decode_depths(content_of(scratch / "run" / "depth.png"), "depth.png");
   const auto picture =
       maquette::sim::decode_png(content_of(scratch / "run" / "frame.png"), "frame.png");
-  REQUIRE(depths.pixels.size() == picture.pixels.size());
-  constexpr std::uint32_t k_farthest = 0xFFFFFF;
+  REQUIRE(depths.values.size() == picture.pixels.size());
+  constexpr std::uint16_t k_farthest = 0xFFFF;
   std::size_t nearer = 0;
-  for (std::size_t i = 0; i < depths.pixels.size(); ++i) {
-    if (depths.pixels[i] != k_farthest) {
+  std::set<int> low_bytes;
+  for (std::size_t i = 0; i < depths.values.size(); ++i) {
+    if (depths.values[i] != k_farthest) {
       ++nearer;
+      low_bytes.insert(depths.values[i] % 256);
     } else {
       REQUIRE(picture.pixels[i] == picture.pixels.front());  // the background
     }
   }
-  CHECK(nearer > depths.pixels.size() / 20);
+  CHECK(nearer > depths.values.size() / 20);
+  CHECK(low_bytes.size() > 200);  // all sixteen bits are there
+  require_good(run_into(scratch / "compared", k_sphere,
+                        "--machine vax-11-750 --set frame_memory.depth_compare=true"));
+  for (const char* file : {"frame.png", "depth.png"}) {
+    CHECK(content_of(scratch / "compared" / file) == content_of(scratch / "run" / file));
+  }
   require_good(run_into(scratch / "prototype", k_sphere, ""));
   CHECK_FALSE(std::filesystem::exists(scratch / "prototype" / "depth.png"));
 }

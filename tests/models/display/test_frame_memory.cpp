@@ -117,7 +117,72 @@ TEST_CASE("the video reader's slots delay the bus") {
   CHECK(probe.write(0, {0, 0}, slot + Duration{400'000}) == Duration{250'000});
 }
 
+FrameMemoryParameters comparing(int depth_bits) {
+  FrameMemoryParameters parameters = small(5);
+  parameters.depth_bits = depth_bits;
+  parameters.depth_compare = true;
+  return parameters;
+}
+
+void check_nearest(int depth_bits) {
+  const FrameMemoryParameters parameters = comparing(depth_bits);
+  const PixelFormat format(parameters);
+  FrameMemory memory("memory", parameters, timing_of(parameters), 0x102030, false);
+  Probe probe("probe", memory);
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  std::vector<std::uint32_t> expected(48, format.written(0x102030, 0xFFFF) & format.kept());
+  std::mt19937 generator(static_cast<unsigned>(depth_bits));
+  for (int one = 0; one < 2000; ++one) {
+    const auto pixel = static_cast<std::size_t>(below(generator, 48));
+    const auto depth =
+        static_cast<std::uint16_t>(below(generator, 4) == 0 ? 0xFFFF : below(generator, 0x10000));
+    const std::uint32_t bytes =
+        format.written(static_cast<std::uint32_t>(below(generator, 1 << 24)), depth);
+    const std::vector<unsigned char> written{
+        static_cast<unsigned char>(bytes >> 24U), static_cast<unsigned char>(bytes >> 16U),
+        static_cast<unsigned char>(bytes >> 8U), static_cast<unsigned char>(bytes)};
+    if (below(generator, 2) == 0) {
+      CHECK(probe.write(4 * pixel, written, Instant{0}) == 2 * parameters.access_time);
+    } else {
+      CHECK(probe.write(4 * pixel, {written[0], written[1]}, Instant{0}) == parameters.access_time);
+      CHECK(probe.write(4 * pixel + 2, {written[2], written[3]}, Instant{0}) ==
+            2 * parameters.access_time);
+    }
+    const std::uint32_t kept = bytes & format.kept();
+    if (format.depth(kept) <= format.depth(expected[pixel])) {
+      expected[pixel] = kept;
+    }
+    REQUIRE(memory.picture().pixels[pixel] == format.colour(expected[pixel]));
+    REQUIRE(memory.depths().values[pixel] == format.depth(expected[pixel]));
+  }
+}
+
+TEST_CASE("where depths are compared each pixel is the last of the nearest that were written") {
+  check_nearest(16);
+}
+
+TEST_CASE("depths are compared by the planes that there are") { check_nearest(3); }
+
+TEST_CASE("reading the depth and writing it are two accesses, each clear of the video slots") {
+  FrameMemoryParameters parameters = comparing(16);
+  parameters.video_priority = true;
+  FrameMemory memory("memory", parameters, timing_of(parameters), 0, false);
+  Probe probe("probe", memory);
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  const Instant slot = 22 * Duration{64'000'000} + Duration{10'500'000};  // line 23
+  CHECK(probe.write(2, {0, 0}, slot - Duration{500'000}) == Duration{500'000});
+  CHECK(probe.write(2, {0, 0}, slot - Duration{499'999}) == Duration{499'999 + 400'000 + 250'000});
+  CHECK(probe.write(0, {0, 0}, slot - Duration{250'000}) == Duration{250'000});
+  std::vector<unsigned char> word(2);
+  CHECK(probe.access(tlm::TLM_READ_COMMAND, 2, word, slot - Duration{250'000}) ==
+        Duration{250'000});
+}
+
 TEST_CASE("what makes no frame memory is refused") {
+  FrameMemoryParameters depthless = small(8);
+  depthless.depth_compare = true;
+  CHECK_THROWS_AS(FrameMemory("depthless", depthless, timing_of(small(8)), 0, false),
+                  std::invalid_argument);
   CHECK_THROWS_AS(FrameMemory("nine", small(9), timing_of(small(8)), 0, false),
                   std::invalid_argument);
   CHECK_THROWS_AS(FrameMemory("none", small(0), timing_of(small(8)), 0, false),

@@ -6,9 +6,12 @@
 #include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
 
+using maquette::models::DepthMap;
 using maquette::models::Picture;
+using maquette::sim::decode_depths;
 using maquette::sim::decode_png;
 using maquette::sim::DescriptionError;
+using maquette::sim::encode_depths;
 using maquette::sim::encode_png;
 
 namespace {
@@ -52,6 +55,26 @@ TEST_CASE("pictures of any size come back as they were, and give the same bytes 
     REQUIRE(again.pixels == picture.pixels);
     REQUIRE(encode_png(picture) == png);
   }
+}
+
+TEST_CASE("depths of any size come back whole, and are no picture") {
+  std::mt19937 random(5);
+  for (int i = 0; i < 40; ++i) {
+    DepthMap depths{static_cast<int>(1 + random() % 70), static_cast<int>(1 + random() % 70), {}};
+    for (int pixel = 0; pixel < depths.width * depths.height; ++pixel) {
+      depths.values.push_back(static_cast<std::uint16_t>(random()));
+    }
+    const std::string png = encode_depths(depths);
+    const DepthMap again = decode_depths(png, "depths");
+    REQUIRE(again.width == depths.width);
+    REQUIRE(again.height == depths.height);
+    REQUIRE(again.values == depths.values);
+    REQUIRE(encode_depths(depths) == png);
+    CHECK_THROWS_AS(decode_png(png, "depths"), DescriptionError);
+  }
+  CHECK_THROWS_AS(decode_depths(encode_png({1, 1, {0}}), "picture"), DescriptionError);
+  CHECK_THROWS_AS(encode_depths({2, 1, {0}}), std::invalid_argument);
+  CHECK_THROWS_AS(encode_depths({0, 0, {}}), std::invalid_argument);
 }
 
 TEST_CASE("a picture file holds neither time nor gamma") {

@@ -373,6 +373,23 @@ TEST_CASE("an interlace is of as many pixels as there are boards") {
   CHECK(with("order: interlaced, columns: 2, lines: 4", 8).empty());
 }
 
+TEST_CASE("depths are compared where there are some, a pixel at a time") {
+  const auto with = [](const std::string& machine) {
+    return with_machine("machine: {name: a, " + machine + "}");
+  };
+  const std::string deep = "red: 5 bits, green: 6 bits, blue: 5 bits, depth: 16 bits";
+  const std::string compared = "frame_memory: {" + deep + ", depth_compare: true}";
+  check_error(with("frame_memory: {depth_compare: true}"),
+              "scene.yaml:7:50: frame_memory.depth_compare: ",
+              "allowed with frame_memory.depth of 1 to 16 bits");
+  check_error(with(compared), "scene.yaml:7:108: frame_memory.depth_compare: ",
+              "allowed with one processor, or with a bus.data_width of 32 bits");
+  check_error(with("frame_memory: {depth_compare: 1}"), "scene.yaml:7:50: ", "true, false");
+  CHECK(with(compared + ", processors: 1").empty());
+  CHECK(with(compared + ", bus: {data_width: 32 bits}").empty());
+  CHECK(with("frame_memory: {" + deep + ", depth_compare: false}").empty());
+}
+
 TEST_CASE("what no single value of a machine shows is checked") {
   check_error(with_override("video.pixel_clock=14.76 MHz"),
               "--set video.pixel_clock=14.76 MHz:1:19: ", "a multiple of 15625 Hz");
