@@ -101,7 +101,11 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
 }
 
 Instant FrameMemory::access_end(Instant asked) const {
-  return (slots_ ? slots_->earliest_access(asked) : asked) + parameters_.access_time;
+  const Instant begun = slots_ ? slots_->earliest_access(asked) : asked;
+  for (const auto& observer : observers_) {
+    observer({asked, begun});
+  }
+  return begun + parameters_.access_time;
 }
 
 Instant FrameMemory::end_of(const tlm::tlm_generic_payload& payload, Instant asked) const {

@@ -2,14 +2,17 @@
 
 #include <tlm_utils/simple_target_socket.h>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <systemc>
 #include <tlm>
+#include <utility>
 #include <vector>
 
 #include "models/bus/instant.hpp"
 #include "models/display/depth_map.hpp"
 #include "models/display/frame_memory_parameters.hpp"
+#include "models/display/memory_access.hpp"
 #include "models/display/picture.hpp"
 #include "models/display/pixel_format.hpp"
 #include "models/display/video_slots.hpp"
@@ -66,6 +69,14 @@ class FrameMemory : public sc_core::sc_module {
   /// Every write in the order of time. Throws std::logic_error when no log was kept.
   [[nodiscard]] const std::vector<PixelWriteRecord>& log() const;
 
+  /// Every access to the planes from now on is shown to `observer` when it is known, in the order
+  /// in which those of one port follow one another.
+  void observe(std::function<void(const MemoryAccess&)> observer) {
+    observers_.push_back(std::move(observer));
+  }
+
+  [[nodiscard]] const FrameMemoryParameters& parameters() const { return parameters_; }
+
   /// Whether every byte of the pixel has been written exactly once / not at all.
   [[nodiscard]] bool written_once(int column, int row) const;
   [[nodiscard]] bool untouched(int column, int row) const;
@@ -90,6 +101,7 @@ class FrameMemory : public sc_core::sc_module {
   std::uint32_t waiting_ = 0;               // colour of the pixel whose depth is compared next
   std::vector<std::uint8_t> write_counts_;  // of red-green and blue, saturating, a nibble each
   std::optional<std::vector<PixelWriteRecord>> log_;
+  std::vector<std::function<void(const MemoryAccess&)>> observers_;
 };
 
 }  // namespace maquette::models

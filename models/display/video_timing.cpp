@@ -62,11 +62,9 @@ std::int64_t VideoTiming::line_of_row(int row) const {
 ScanPosition VideoTiming::position(Instant instant) const {
   const std::int64_t line_count = line_at(instant);
   const std::int64_t line = line_count % lines_per_frame_;
-  // A field lasts for half of the lines (312.5 of 625): the second one begins in mid-line.
   const std::int64_t frame = line_count / lines_per_frame_;
-  const Instant frame_start = line_.times(frame * lines_per_frame_);
-  const Instant frame_end = line_.times((frame + 1) * lines_per_frame_);
-  const bool second = interlaced_ && instant - frame_start >= (frame_end - frame_start) / 2;
+  const bool second =
+      interlaced_ && field_end(instant) == line_.times((frame + 1) * lines_per_frame_);
   const Instant active = active_start(line_count);
   std::int64_t column = -1;
   const int row = row_of_line(line_count);
@@ -75,6 +73,15 @@ ScanPosition VideoTiming::position(Instant instant) const {
     column = pixels < width_ ? pixels : -1;
   }
   return {frame, second ? 2 : 1, static_cast<int>(line) + 1, row, static_cast<int>(column)};
+}
+
+// A field lasts for half of the lines (312.5 of 625): the second one begins in mid-line.
+Instant VideoTiming::field_end(Instant instant) const {
+  const std::int64_t frame = line_at(instant) / lines_per_frame_;
+  const Instant start = line_.times(frame * lines_per_frame_);
+  const Instant end = line_.times((frame + 1) * lines_per_frame_);
+  const Instant middle = start + (end - start) / 2;
+  return interlaced_ && instant < middle ? middle : end;
 }
 
 Instant VideoTiming::scan_instant(std::int64_t frame, int column, int row) const {

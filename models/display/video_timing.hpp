@@ -31,6 +31,9 @@ class VideoTiming {
   /// Where the reader stands at `instant` >= 0.
   [[nodiscard]] ScanPosition position(Instant instant) const;
 
+  /// When the field ends in which `instant` >= 0 is.
+  [[nodiscard]] Instant field_end(Instant instant) const;
+
   /// The last instant up to `instant` at which the reader began to scan a pixel, if there was one.
   [[nodiscard]] std::optional<Instant> last_scan(int column, int row, Instant instant) const;
 

@@ -86,6 +86,7 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
 CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachineParameters& parameters,
                            PixelSource& source, const FrameSetup& setup)
     : sc_module(name),
+      video_(parameters.video),
       zone_(setup.useful_zone),
       allotment_(parameters.allotment, zone_, static_cast<int>(parameters.boards.size())),
       start_("start"),
@@ -194,6 +195,14 @@ void CcettMachine::observe_lines(
   for (std::size_t port = 0; port < buses_.size(); ++port) {
     buses_[port]->observe_lines([observer, port](const LineState& line) { observer(port, line); });
   }
+}
+
+VideoReader& CcettMachine::watch_video(Duration from, Duration to) {
+  video_reader_ = std::make_unique<VideoReader>(
+      (std::string(basename()) + "_video_reader").c_str(), video_, frame_memory_.parameters(),
+      VideoWatch{start_, from, to, [this] { return finished().has_value(); }});
+  frame_memory_.observe([this](const MemoryAccess& access) { video_reader_->tell(access); });
+  return *video_reader_;
 }
 
 std::optional<Instant> CcettMachine::finished() const {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <systemc>
+#include <utility>
 #include <vector>
 
 #include "models/board/allotment.hpp"
@@ -13,6 +14,7 @@
 #include "models/board/shared_memory.hpp"
 #include "models/bus/versabus.hpp"
 #include "models/display/frame_memory.hpp"
+#include "models/display/video_reader.hpp"
 #include "models/display/video_timing.hpp"
 #include "models/machine/host.hpp"
 #include "models/machine/machine_addresses.hpp"
@@ -79,6 +81,16 @@ class CcettMachine : public sc_core::sc_module {
   /// VersaBus::observe_lines does.
   void observe_lines(const std::function<void(std::size_t backplane, const LineState&)>& observer);
 
+  /// Elaborates the video reader for a span of the frame, or until all boards are done. Once,
+  /// before the simulation starts.
+  VideoReader& watch_video(Duration from, Duration to);
+
+  /// Every access to the planes of the frame memory is shown to `observer`, as
+  /// FrameMemory::observe does.
+  void observe_memory(std::function<void(const MemoryAccess&)> observer) {
+    frame_memory_.observe(std::move(observer));
+  }
+
   [[nodiscard]] const Kvm02& board(std::size_t number) const { return *boards_[number]; }
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }
@@ -98,6 +110,7 @@ class CcettMachine : public sc_core::sc_module {
 
   [[nodiscard]] Instant furthest_known() const;
 
+  VideoParameters video_;
   PixelRectangle zone_;
   PixelAllotment allotment_;
   sc_core::sc_event start_;            // of the boards, by the host
@@ -108,6 +121,7 @@ class CcettMachine : public sc_core::sc_module {
   std::optional<SharedMemory> shared_memory_;
   std::vector<std::unique_ptr<Kvm02>> boards_;
   std::unique_ptr<Host> host_;
+  std::unique_ptr<VideoReader> video_reader_;
 };
 
 }  // namespace maquette::models

@@ -146,6 +146,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (!trace.files.empty()) {
     request.trace = trace.window;
   }
+  if (trace.video) {
+    request.video = trace.window;
+  }
   request.executed = options.processor == "instruction";
   if (request.executed) {
     require_execution(description.machine);

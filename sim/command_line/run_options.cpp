@@ -54,6 +54,9 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
                   "write what the lines of the backplane show, as a .vcd for GTKWave; with --bus "
                   "signal, which simulates them")
       ->type_name("FILE");
+  verb.add_flag("--trace-video", options.trace.video,
+                "show fields, lines and slots of the video reader in the traces as well, and the "
+                "accesses that wait for it");
   verb.add_option("--trace-window", options.trace.window,
                   "trace only this part of the frame, e.g. \"1 s..1.01 s\"; either may be left out")
       ->type_name("T0..T1");

@@ -10,7 +10,7 @@
 #include "firmware/synthesize.hpp"
 #include "models/board/work_cost.hpp"
 #include "models/bus/kernel_time.hpp"
-#include "models/display/video_reader.hpp"
+#include "models/display/shown_picture.hpp"
 #include "models/machine/ccett_machine.hpp"
 #include "models/machine/unique_names.hpp"
 #include "sim/database/memory_map.hpp"
@@ -21,6 +21,7 @@
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/line_recorder.hpp"
 #include "sim/run/time_forecast.hpp"
+#include "sim/run/video_recorder.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -138,12 +139,18 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   if (request.lines != nullptr) {
     record_lines(model, *request.lines);
   }
+  if (request.video) {
+    watch_video(model, *request.video, request.lines, result.trace);
+  }
   run_kernel(model, setup.useful_zone, go_on);
   if (model.finished()) {
     model.verify_frame();
   }
   if (request.trace) {
     finish_record(model, result.trace);
+    if (request.video) {
+      finish_video_record(model, result.trace);
+    }
   }
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());

@@ -31,6 +31,7 @@ struct SimulationRequest {
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
   std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
   LineTrace* lines = nullptr;                     ///< shows the backplanes' lines, if given
+  std::optional<TraceWindow> video;               ///< in which the video reader is looked at
 };
 
 /// Called now and then with the simulated time and the share of pixels done; false ends the run.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "models/bus/instant.hpp"
+#include "sim/trace/video_record.hpp"
 
 namespace maquette::sim {
 
@@ -91,11 +92,12 @@ struct BusRecord {
   TraceWindow window;  ///< ends with the frame at the latest
   std::vector<RecordedBoard> boards;
   std::vector<RecordedBus> buses;
+  std::optional<VideoRecord> video;  ///< when it was looked at
 };
 
 /// How long a text is expected to be that says so many bytes about each access, and so many more
-/// about each access that waited for its grant.
-std::int64_t expected_bytes(const BusRecord& record, std::int64_t per_access,
-                            std::int64_t per_wait);
+/// about each access that waited for its grant, and about each line of the video reader.
+std::int64_t expected_bytes(const BusRecord& record, std::int64_t per_access, std::int64_t per_wait,
+                            std::int64_t per_line);
 
 }  // namespace maquette::sim

@@ -20,7 +20,8 @@ inline constexpr models::Duration k_utilisation_step = std::chrono::milliseconds
 /// of its own (2, 3, ...): a thread with a slice per transfer named after the bus's master, and one
 /// for each gap in which a master keeps it; the number of requests that stand, at each change; the
 /// share of each k_utilisation_step (cut at the window's edges) that is spent in transfers. A flow
-/// leads from each request of a board to its grant. Bus and counters are those of all boards.
+/// leads from each request of a board to its grant. Bus and counters are those of all boards. A
+/// last process is the video reader, where it was looked at (add_video).
 void write_chrome_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
                         std::ostream& stream);
 

@@ -111,6 +111,10 @@ void check_companions(const TraceOptions& options) {
   if (options.files.empty() && !options.boards.empty()) {
     fail("--trace-boards", options.boards, "traces nothing; allowed: beside --trace FILE");
   }
+  if (options.files.empty() && options.lines.empty() && options.video) {
+    throw DescriptionError(
+        "--trace-video traces nothing; allowed: beside --trace FILE or --trace-lines FILE");
+  }
   if (options.files.empty() && options.lines.empty() && !options.window.empty()) {
     fail("--trace-window", options.window,
          "traces nothing; allowed: beside --trace FILE or --trace-lines FILE");
@@ -133,6 +137,7 @@ TraceRequest trace_request(const TraceOptions& options, std::size_t board_count)
   TraceRequest request;
   request.files = options.files;
   request.lines = options.lines;
+  request.video = options.video;
   if (!options.window.empty()) {
     request.window = window_of(options.window);
   }

@@ -15,6 +15,7 @@ struct TraceOptions {
   std::string lines;
   std::string window;
   std::string boards;
+  bool video = false;
 };
 
 /// What of a run is to be traced, and where to.
@@ -22,6 +23,7 @@ struct TraceRequest {
   std::vector<std::string> files;  ///< as given; none: no accesses are traced
   std::string lines;               ///< file for the backplanes' lines; empty: they are not traced
   TraceWindow window;
+  bool video = false;               ///< the video reader, too
   std::vector<std::size_t> boards;  ///< whose tracks are written, ascending
 };
 

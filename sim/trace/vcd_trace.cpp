@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "sim/trace/board_states.hpp"
+#include "sim/trace/vcd_dump.hpp"
 #include "sim/trace/vcd_text.hpp"
+#include "sim/trace/vcd_video.hpp"
 
 namespace maquette::sim {
 
@@ -19,8 +21,6 @@ constexpr int k_address_bits = 32;
 constexpr int k_owner_bits = 16;
 constexpr int k_state_bits = 2;
 static_assert(static_cast<int>(BoardState::idle) < 1 << k_state_bits);
-constexpr std::uint32_t k_minus_one = ~std::uint32_t{0};
-
 constexpr std::string_view k_comment =
     R"(  Transaction-level trace of the VERSAbus; time 0 is the frame's start. Names that end in _n are
   active low. Exact instants: BR (request to grant), BG (begin of the arbitration to grant), BBSY
@@ -29,85 +29,39 @@ constexpr std::string_view k_comment =
   as the access law counts its clocks; skews of single lines are below this level.
 )";
 
-// How a signal's changes make its value.
-enum class Kind {
-  active_low,  ///< a count of those that assert it: 0 above zero
-  vector       ///< the last value set; may float
-};
-
-constexpr bool is_count(Kind kind) {
+constexpr bool is_count(SignalKind kind) {
   switch (kind) {
-    case Kind::active_low:
+    case SignalKind::active_low:
       return true;
-    case Kind::vector:
+    case SignalKind::vector:
       break;
   }
   return false;
 }
 
-struct Signal {
-  std::string scope;
-  std::string name;
-  Kind kind;
-  int bits;
-};
-
-// In 16 bytes: a whole frame has some eight million of them.
-struct Change {
-  Instant at;
-  std::uint32_t value;  ///< set; of an active-low signal added, modulo 2^32
-  std::uint16_t signal;
-  bool floats;
-};
-
 constexpr std::uint16_t after(std::uint16_t signal, int places) {
   return static_cast<std::uint16_t>(signal + places);
 }
 
-// Signals and all their changes, in any order.
-class Dump {
- public:
-  std::uint16_t add(const std::string& scope, const std::string& name, Kind kind, int bits = 1) {
-    signals.push_back({scope, name, kind, bits});
-    return static_cast<std::uint16_t>(signals.size() - 1);
-  }
-
-  void assert_during(std::uint16_t signal, Instant from, Instant to) {
-    if (from < to) {
-      changes.push_back({from, 1, signal, false});
-      changes.push_back({to, k_minus_one, signal, false});
-    }
-  }
-
-  void set(std::uint16_t signal, Instant at, std::uint32_t value) {
-    changes.push_back({at, value, signal, false});
-  }
-
-  void release(std::uint16_t signal, Instant at) { changes.push_back({at, 0, signal, true}); }
-
-  std::vector<Signal> signals;
-  std::vector<Change> changes;
-};
-
 struct BusSignals {
-  BusSignals(Dump& dump, const RecordedBus& bus)
+  BusSignals(VcdDump& dump, const RecordedBus& bus)
       : request(levels(dump, bus.name, "BR")),
         grant(levels(dump, bus.name, "BG")),
-        busy(dump.add(bus.name, "BBSY_n", Kind::active_low)),
-        address_strobe(dump.add(bus.name, "AS_n", Kind::active_low)),
-        data_strobe(dump.add(bus.name, "DS_n", Kind::active_low)),
-        acknowledge(dump.add(bus.name, "DTACK_n", Kind::active_low)),
-        error(dump.add(bus.name, "BERR_n", Kind::active_low)),
-        write(dump.add(bus.name, "WRITE_n", Kind::vector)),
-        address(dump.add(bus.name, "address", Kind::vector, k_address_bits)),
-        data(dump.add(bus.name, "data", Kind::vector, bus.data_bits)),
-        owner(dump.add(bus.name, "owner", Kind::vector, k_owner_bits)) {}
+        busy(dump.add(bus.name, "BBSY_n", SignalKind::active_low)),
+        address_strobe(dump.add(bus.name, "AS_n", SignalKind::active_low)),
+        data_strobe(dump.add(bus.name, "DS_n", SignalKind::active_low)),
+        acknowledge(dump.add(bus.name, "DTACK_n", SignalKind::active_low)),
+        error(dump.add(bus.name, "BERR_n", SignalKind::active_low)),
+        write(dump.add(bus.name, "WRITE_n", SignalKind::vector)),
+        address(dump.add(bus.name, "address", SignalKind::vector, k_address_bits)),
+        data(dump.add(bus.name, "data", SignalKind::vector, bus.data_bits)),
+        owner(dump.add(bus.name, "owner", SignalKind::vector, k_owner_bits)) {}
 
   // The number of the first of five.
-  static std::uint16_t levels(Dump& dump, const std::string& scope, const char* name) {
+  static std::uint16_t levels(VcdDump& dump, const std::string& scope, const char* name) {
     const auto first = static_cast<std::uint16_t>(dump.signals.size());
     for (int level = 0; level < k_levels; ++level) {
-      dump.add(scope, fmt::format("{}{}_n", name, level), Kind::active_low);
+      dump.add(scope, fmt::format("{}{}_n", name, level), SignalKind::active_low);
     }
     return first;
   }
@@ -125,7 +79,7 @@ struct BusSignals {
   std::uint16_t owner;
 };
 
-void dump_access(Dump& dump, const BusSignals& bus, const RecordedAccess& access, int level) {
+void dump_access(VcdDump& dump, const BusSignals& bus, const RecordedAccess& access, int level) {
   const Instant end = access.end();
   dump.assert_during(after(bus.request, level), access.request, access.grant);
   dump.assert_during(after(bus.grant, level), access.decision(), access.grant);
@@ -143,7 +97,7 @@ void dump_access(Dump& dump, const BusSignals& bus, const RecordedAccess& access
   }
 }
 
-void dump_bus(Dump& dump, const BusRecord& record, const RecordedBus& bus) {
+void dump_bus(VcdDump& dump, const BusRecord& record, const RecordedBus& bus) {
   const BusSignals signals(dump, bus);
   const auto level = [&record](std::size_t board) { return record.boards[board].level; };
   const RecordedAccess* before = nullptr;
@@ -162,10 +116,10 @@ void dump_bus(Dump& dump, const BusRecord& record, const RecordedBus& bus) {
   }
 }
 
-void dump_board(Dump& dump, const BusRecord& record, std::size_t board) {
+void dump_board(VcdDump& dump, const BusRecord& record, std::size_t board) {
   const std::string& scope = record.boards[board].name;
-  const std::uint16_t state = dump.add(scope, "state", Kind::vector, k_state_bits);
-  const std::uint16_t request = dump.add(scope, "BR_n", Kind::active_low);
+  const std::uint16_t state = dump.add(scope, "state", SignalKind::vector, k_state_bits);
+  const std::uint16_t request = dump.add(scope, "BR_n", SignalKind::active_low);
   for (const StateInterval& interval : board_states(record, board)) {
     dump.set(state, interval.from, static_cast<std::uint32_t>(interval.state));
     if (interval.state == BoardState::wait_grant) {
@@ -177,10 +131,10 @@ void dump_board(Dump& dump, const BusRecord& record, std::size_t board) {
 // The signals as variables of a dump, which changes are applied to in turn.
 class VcdTrace {
  public:
-  VcdTrace(const Dump& dump, std::ostream& stream)
+  VcdTrace(const VcdDump& dump, std::ostream& stream)
       : signals_(dump.signals), counts_(dump.signals.size()), text_(stream) {
     for (std::size_t i = 0; i < signals_.size(); ++i) {
-      const Signal& signal = signals_[i];
+      const DumpedSignal& signal = signals_[i];
       text_.add({signal.scope, signal.name, signal.bits});
       if (is_count(signal.kind)) {
         text_.set(i, k_high);
@@ -189,7 +143,7 @@ class VcdTrace {
     text_.declare(k_comment);
   }
 
-  void apply(const Change& change) {
+  void apply(const SignalChange& change) {
     if (is_count(signals_[change.signal].kind)) {
       counts_[change.signal] += change.value;
       text_.set(change.signal, counts_[change.signal] > 0 ? k_low : k_high);
@@ -204,7 +158,7 @@ class VcdTrace {
   static constexpr std::uint64_t k_low = 0;
   static constexpr std::uint64_t k_high = 1;
 
-  const std::vector<Signal>& signals_;
+  const std::vector<DumpedSignal>& signals_;
   std::vector<std::uint32_t> counts_;  // of those that assert an active-low signal
   VcdText text_;
 };
@@ -213,15 +167,18 @@ class VcdTrace {
 
 void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
                      std::ostream& stream) {
-  Dump dump;
+  VcdDump dump;
   for (const RecordedBus& bus : record.buses) {
     dump_bus(dump, record, bus);
   }
   for (const std::size_t board : boards) {
     dump_board(dump, record, board);
   }
+  if (record.video) {
+    dump_video(*record.video, dump);
+  }
   std::stable_sort(dump.changes.begin(), dump.changes.end(),
-                   [](const Change& a, const Change& b) { return a.at < b.at; });
+                   [](const SignalChange& a, const SignalChange& b) { return a.at < b.at; });
 
   VcdTrace trace(dump, stream);
   auto change = dump.changes.begin();
@@ -242,7 +199,7 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
 
 // Measured on whole frames.
 std::int64_t expected_vcd_trace_bytes(const BusRecord& record) {
-  return expected_bytes(record, 135, 65);
+  return expected_bytes(record, 135, 65, 55);
 }
 
 }  // namespace maquette::sim

@@ -19,8 +19,8 @@ namespace maquette::sim {
 /// BERR_n (likewise when none came), WRITE_n, address, data and owner, the number of the board that
 /// has the bus; the last four float while nobody has it. A read-modify-write cycle is shown as one
 /// long read. One scope per board of `boards`: state (0
-/// computes, 1 waits for its grant, 2 transfers, 3 idle) and its own BR_n. What lasts no time is
-/// not seen.
+/// computes, 1 waits for its grant, 2 transfers, 3 idle) and its own BR_n. One scope of the video
+/// reader where it was looked at (dump_video). What lasts no time is not seen.
 void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
                      std::ostream& stream);
 

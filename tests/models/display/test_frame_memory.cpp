@@ -1,7 +1,7 @@
 #include <stdexcept>
 
 #include "models/display/frame_memory.hpp"
-#include "models/display/video_reader.hpp"
+#include "models/display/shown_picture.hpp"
 #include "tests/catch.hpp"
 #include "tests/models/bus/traffic.hpp"
 
