@@ -1,26 +1,10 @@
 #pragma once
 
 #include "firmware/combine.hpp"
-#include "firmware/ray_query.hpp"
 
 /// From a ray to its crossings with a node of the tree: extents, intersections in local frames,
 /// combination along the composites (paper, section V.2.3.1.2).
 namespace maquette::firmware {
-
-/// The ray in the local frame of a leaf; distances along it stay the same.
-template <class Real>
-Ray<Real> local_ray(const PreparedLeaf<Real>& leaf, const RayQuery<Real>& query) {
-  if (query.is_primary) {
-    charge<Real>(Operation::load, 3);
-    // It starts at the eye, and its direction is one unit deep.
-    const Affine<Real>& frame = leaf.from_screen;
-    const Vector<Real>& d = query.ray.direction;
-    charge<Real>(Operation::load, 9);
-    return {frame[3], frame[0] * d.x + frame[1] * d.y + frame[2]};
-  }
-  return {transform_point(leaf.from_screen, query.ray.origin),
-          transform_direction(leaf.from_screen, query.ray.direction)};
-}
 
 /// Makes crossings with a leaf of hits, written from `first` on; spans behind the origin or beyond
 /// the reach are left out. Returns their number.
@@ -107,7 +91,7 @@ std::int32_t cross(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIn
   if (a_count == 0) {
     return b_count;
   }
-  return combine(frame, composite.combination, first, a_count, b_count);
+  return combine(frame, query, composite.combination, first, a_count, b_count);
 }
 
 }  // namespace maquette::firmware

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "firmware/crossing.hpp"
-#include "firmware/prepared.hpp"
+#include "firmware/face_point.hpp"
 #include "firmware/preprocess.hpp"
 
 /// Boolean combination of the crossings of two operands (paper, section II.2; Roth 1982).
@@ -47,44 +46,99 @@ struct OperandCursor {
   SurfaceIndex medium;
 
   [[nodiscard]] bool is_at_end() const { return next == end; }
+  /// Whether the crossing behind the next one is nearer to another than that.
+  [[nodiscard]] bool comes_nearer(const Crossing<Real>& other) const {
+    return end - next > 1 &&
+           absolute(next[1].distance - other.distance) < absolute(next->distance - other.distance);
+  }
   const Crossing<Real>& take() {
     medium = next->medium;
     return *next++;
   }
 };
 
-/// Whether two crossings of a ray fall together within the rounding of the numbers they come from:
-/// the coordinates of both primitives and the distance along the ray.
+/// Whether the faces that a ray crosses at two places lie in one another rather than form a crease,
+/// and are no farther apart than the tolerance, measured across them.
 template <class Real>
-bool coincide(const Prepared<Real>& prepared, const Crossing<Real>& a, const Crossing<Real>& b) {
-  const Real apart = absolute(a.distance - b.distance);
-  if (apart > prepared.coarse_tolerance) {
-    return false;
-  }
+[[gnu::noinline]] bool faces_coincide(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                      const Crossing<Real>& a, const Crossing<Real>& b,
+                                      Real tolerance) {
+  const Vector<Real> normal = face_point(frame, query, a).normal;
+  const Real cosine = glm::dot(normal, face_point(frame, query, b).normal);
+  const Real across = (b.distance - a.distance) * glm::dot(normal, query.ray.direction);
+  // The cosine of 14 degrees.
+  return absolute(cosine) > constant<Real>(0.97) && absolute(across) <= tolerance;
+}
+
+/// What the coordinates are known to that two crossings of a ray come from: those of both
+/// primitives and the distance along the ray.
+template <class Real>
+Real crossing_tolerance(const Prepared<Real>& prepared, const Crossing<Real>& a,
+                        const Crossing<Real>& b) {
   charge<Real>(Operation::load, 2);
   const Real coordinates =
       prepared.leaves[a.leaf].scale + prepared.leaves[b.leaf].scale + absolute(a.distance);
-  return apart <= coordinates * ulps<Real>(preprocessing::k_crossing_tolerance);
+  return coordinates * ulps<Real>(preprocessing::k_crossing_tolerance);
+}
+
+/// Whether two crossings of a ray fall together within the rounding of the numbers they come from,
+/// along the ray or, where it grazes the faces, across them.
+template <class Real>
+bool coincide(const Frame<Real>& frame, const RayQuery<Real>& query, const Crossing<Real>& a,
+              const Crossing<Real>& b) {
+  const Real apart = absolute(a.distance - b.distance);
+  if (apart > frame.prepared.coarse_tolerance) {
+    return false;
+  }
+  const Real tolerance = crossing_tolerance(frame.prepared, a, b);
+  if (apart <= tolerance) {
+    return true;
+  }
+  return apart <= tolerance * constant<Real>(preprocessing::k_grazing) &&
+         faces_coincide(frame, query, a, b, tolerance);
+}
+
+/// Takes both next crossings, which coincide. Returns the one whose surface is seen: of faces that
+/// lie in one another, that of the medium that wins; at a crease, the one that makes the passage,
+/// since the other face lies in matter or in the void there.
+template <class Real>
+[[gnu::noinline]] const Crossing<Real>& take_both(const Frame<Real>& frame,
+                                                  const RayQuery<Real>& query,
+                                                  BooleanOperator combination,
+                                                  OperandCursor<Real>& a, OperandCursor<Real>& b) {
+  const Surface<Real>* surfaces = frame.database.surfaces;
+  const bool b_is_nearer = b.next->distance < a.next->distance;
+  const Crossing<Real>& nearer = b_is_nearer ? b.take() : a.take();
+  const SurfaceIndex between = combined_medium(combination, surfaces, a.medium, b.medium);
+  const Crossing<Real>& farther = b_is_nearer ? a.take() : b.take();
+  const SurfaceIndex after = combined_medium(combination, surfaces, a.medium, b.medium);
+  const Crossing<Real>& passage = (between == k_void) == (after == k_void) ? nearer : farther;
+  const bool b_wins = combination == k_keeps_second &&
+                      united_medium(surfaces, a.medium, b.medium) == b.medium;
+  const Crossing<Real>& winner = b_wins == b_is_nearer ? nearer : farther;
+  const Leaf<Real>* leaves = frame.database.leaves;
+  const bool look_alike = leaves[nearer.leaf].surface == leaves[farther.leaf].surface;
+  if (look_alike || !faces_coincide(frame, query, nearer, farther, far_away<Real>())) {
+    return passage;
+  }
+  return winner;
 }
 
 /// Takes the nearer of the operands' next crossings, or both when they coincide, so that coincident
 /// faces leave neither a skin nor a hole. Returns the crossing whose surface is seen.
 template <class Real>
-const Crossing<Real>& take_next(const Frame<Real>& frame, BooleanOperator combination,
-                                OperandCursor<Real>& a, OperandCursor<Real>& b) {
+const Crossing<Real>& take_next(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                BooleanOperator combination, OperandCursor<Real>& a,
+                                OperandCursor<Real>& b) {
   if (b.is_at_end()) {
     return a.take();
   }
   if (a.is_at_end()) {
     return b.take();
   }
-  if (coincide(frame.prepared, *a.next, *b.next)) {
-    const Crossing<Real>& of_a = a.take();
-    const Crossing<Real>& of_b = b.take();
-    // Of two bodies that begin or end together the one is seen whose medium wins.
-    const bool b_is_seen = combination == k_keeps_second &&
-                           united_medium(frame.database.surfaces, a.medium, b.medium) == b.medium;
-    return b_is_seen ? of_b : of_a;
+  if (coincide(frame, query, *a.next, *b.next) && !a.comes_nearer(*b.next) &&
+      !b.comes_nearer(*a.next)) {
+    return take_both(frame, query, combination, a, b);
   }
   return a.next->distance < b.next->distance ? a.take() : b.take();
 }
@@ -103,9 +157,9 @@ bool is_boundary(const Surface<Real>* surfaces, SurfaceIndex before, SurfaceInde
 /// Combines the operands' crossings, `a_count` and then `b_count` of them from `first` on. The
 /// result takes their place; its number is returned. Uses as much space again behind the operands.
 template <class Real>
-[[gnu::noinline]] std::int32_t combine(const Frame<Real>& frame, BooleanOperator combination,
-                                       Crossing<Real>* first, std::int32_t a_count,
-                                       std::int32_t b_count) {
+[[gnu::noinline]] std::int32_t combine(const Frame<Real>& frame, const RayQuery<Real>& query,
+                                       BooleanOperator combination, Crossing<Real>* first,
+                                       std::int32_t a_count, std::int32_t b_count) {
   charge<Real>(Operation::combination);
   const Surface<Real>* surfaces = frame.database.surfaces;
   OperandCursor<Real> a{first, first + a_count, k_void};
@@ -115,7 +169,7 @@ template <class Real>
   SurfaceIndex medium = k_void;
   while (!a.is_at_end() || !b.is_at_end()) {
     charge<Real>(Operation::crossing);
-    const Crossing<Real>& seen = take_next(frame, combination, a, b);
+    const Crossing<Real>& seen = take_next(frame, query, combination, a, b);
     const SurfaceIndex after = combined_medium(combination, surfaces, a.medium, b.medium);
     if (is_boundary(surfaces, medium, after)) {
       result[count++] = {seen.distance, seen.leaf, seen.face, seen.outwards, after};

@@ -101,7 +101,7 @@ Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
   if (frame.database.needs.shadows) {
     ++rays.shadow;
     if (!reaches(frame, {departure(point), incidence.to_light}, incidence.distance,
-                 left_behind(point), area, arriving)) {
+                 left_behind(point), point.before, area, arriving)) {
       return {zero, zero, zero};
     }
   }

@@ -228,6 +228,7 @@ constexpr void for_each_field(const PendingRay<Real>& pending, Visit& visit) {
   visit(pending.ray);
   visit(pending.weight);
   visit(pending.depth);
+  visit(pending.medium);
   visit(pending.left_behind);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/classify.hpp"
+#include "firmware/first_ahead.hpp"
 
 /// Rays against large unions: the nearer child first, and nothing behind the first opaque matter.
 namespace maquette::firmware {
@@ -60,20 +61,7 @@ std::int32_t cross_nearest(const Frame<Real>& frame, RayQuery<Real>& query, Node
   if (near_count == 0 || far_count == 0) {
     return near_count + far_count;
   }
-  return combine(frame, BooleanOperator::union_of, first, near_count, far_count);
-}
-
-/// Index of the first crossing in front of the origin, `count` when there is none. `before` becomes
-/// the medium that the ray travels in until there.
-template <class Real>
-std::int32_t first_ahead(const Crossing<Real>* crossings, std::int32_t count,
-                         SurfaceIndex& before) {
-  before = k_void;
-  std::int32_t i = 0;
-  while (i < count && !(crossings[i].distance > constant<Real>(0))) {
-    before = crossings[i++].medium;
-  }
-  return i;
+  return combine(frame, query, BooleanOperator::union_of, first, near_count, far_count);
 }
 
 /// Crossings of a ray with a scene of large unions, of which those behind the first ahead may be

@@ -15,9 +15,12 @@ namespace preprocessing {
 /// were computed from: more than the rounding of a transform and a projection.
 inline constexpr double k_extent_margin = 32;
 
-/// Crossings closer than this many ulps times the coordinates they were computed from are one.
-/// Their rounding, of a few ulps across the surface, grows along a ray that grazes it.
-inline constexpr double k_crossing_tolerance = 32;
+/// Crossings closer than this many ulps times the coordinates they were computed from are one: their
+/// rounding across a surface.
+inline constexpr double k_crossing_tolerance = 4;
+
+/// A ray that grazes faces sees them up to this many times as far apart as they are.
+inline constexpr double k_grazing = 512;
 
 template <class Real>
 Rectangle whole_screen(const Observer<Real>& observer) {
@@ -165,7 +168,7 @@ void prepare_nodes(const Database<Real>& database, Prepared<Real>& prepared) {
                  prepared.extents[composite.children[1]]);
   }
   // Inside the scene no distance exceeds four times the largest coordinate.
-  prepared.coarse_tolerance = largest * ulps<Real>(6 * k_crossing_tolerance);
+  prepared.coarse_tolerance = largest * ulps<Real>(6 * k_grazing * k_crossing_tolerance);
 }
 
 /// The ambient light that surfaces have besides that of the scene.

@@ -19,7 +19,8 @@ struct RayQuery {
   /// A leaf whose outside the ray has just left: what a line meets in one segment it will not meet
   /// again.
   NodeIndex left_behind = k_no_node;
-  Vector<Real> inverse{};  ///< 1 / direction, of a query against boxes
+  SurfaceIndex medium = k_void;  ///< in which a secondary ray starts
+  Vector<Real> inverse{};        ///< 1 / direction, of a query against boxes
 };
 
 /// Whether a node is the leaf that the ray has left behind.

@@ -14,7 +14,8 @@ template <class Real>
 struct PendingRay {
   Ray<Real> ray;  ///< unit direction, or through the pixel for a primary ray
   Color<Real> weight;
-  std::int32_t depth;     ///< secondary rays before it in a row, itself included
+  std::int16_t depth;     ///< secondary rays before it in a row, itself included
+  SurfaceIndex medium;    ///< in which it starts
   NodeIndex left_behind;  ///< leaf whose outside it has just left, or k_no_node
 };
 
@@ -34,13 +35,14 @@ bool is_visible(const Database<Real>& database, const Color<Real>& weight) {
 /// share of the parent's weight. Returns the new height.
 template <class Real>
 std::int32_t spawn_reflected(const Frame<Real>& frame, const SurfacePoint<Real>& point,
-                             const View<Real>& view, const Color<Real>& weight, std::int32_t depth,
+                             const View<Real>& view, const Color<Real>& weight, std::int16_t depth,
                              PendingRay<Real>* stack, std::int32_t height) {
   if (!is_visible(frame.database, weight)) {
     return height;
   }
   const Vector<Real> direction = point.normal * (constant<Real>(2) * view.cosine) - view.towards;
-  stack[height] = {{departure(point), normalize(direction)}, weight, depth, left_behind(point)};
+  stack[height] = {
+      {departure(point), normalize(direction)}, weight, depth, point.before, left_behind(point)};
   return height + 1;
 }
 
@@ -50,14 +52,17 @@ template <class Real>
 [[gnu::noinline]] std::int32_t spawn_refracted(const Frame<Real>& frame,
                                                const SurfacePoint<Real>& point,
                                                const View<Real>& view, Real transmitted_cosine,
-                                               const Color<Real>& weight, std::int32_t depth,
+                                               const Color<Real>& weight, std::int16_t depth,
                                                PendingRay<Real>* stack, std::int32_t height) {
   if (!is_visible(frame.database, weight)) {
     return height;
   }
   const Vector<Real> direction = point.normal * (view.cosine - transmitted_cosine) - view.towards;
-  stack[height] = {
-      {far_departure(point), normalize(direction)}, weight, depth, far_left_behind(point)};
+  stack[height] = {{far_departure(point), normalize(direction)},
+                   weight,
+                   depth,
+                   point.after,
+                   far_left_behind(point)};
   return height + 1;
 }
 
@@ -69,7 +74,7 @@ template <class Real>
                                      PendingRay<Real>* stack, std::int32_t height,
                                      RayCounts& rays) {
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
-  const std::int32_t depth = parent.depth + 1;
+  const auto depth = static_cast<std::int16_t>(parent.depth + 1);
   charge<Real>(Operation::load);
   const Color<Real> share = parent.weight * surface.specular;
   std::int32_t top = height;
@@ -105,7 +110,7 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
   const Database<Real>& database = frame.database;
   const std::int32_t count = cross_scene(frame, query, area.crossings);
   SurfaceIndex before = k_void;
-  const std::int32_t first = first_ahead(area.crossings, count, before);
+  const std::int32_t first = first_ahead(frame, query, area.crossings, count, before);
   if (first == count) {
     charge<Real>(Operation::load, 3);
     return pending.weight * database.background;
@@ -151,12 +156,13 @@ Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
   const Real one = constant<Real>(1);
   std::int32_t height = 0;
   ++sight.rays.primary;
-  Color<Real> sum =
-      follow(frame, primary, {primary.ray, {one, one, one}, 0, k_no_node}, area, height, sight);
+  Color<Real> sum = follow(frame, primary, {primary.ray, {one, one, one}, 0, k_void, k_no_node},
+                           area, height, sight);
   while (height > 0) {
     charge<Real>(Operation::load, 10);
     const PendingRay<Real> pending = area.rays[--height];
-    const RayQuery<Real> query{pending.ray, far_away<Real>(), false, 0, 0, pending.left_behind};
+    const RayQuery<Real> query{pending.ray, far_away<Real>(),    false,         0,
+                               0,           pending.left_behind, pending.medium};
     sum += follow(frame, query, pending, area, height, sight);
   }
   return sum;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/arithmetic/elementary.hpp"
+#include "firmware/first_ahead.hpp"
 #include "firmware/fresnel.hpp"
 #include "firmware/surface_point.hpp"
 
@@ -33,10 +34,10 @@ template <class Real>
   light *= frame.database.surfaces[point.surface].specular * (one - reflected);
 }
 
-/// Whether the matter that a ray enters at a crossing ends, at the next one, behind the origin.
+/// Whether a medium lets no light through.
 template <class Real>
-bool ends_behind(const Crossing<Real>* entry) {
-  return !(entry[1].distance > constant<Real>(0));
+bool is_opaque(const Surface<Real>* surfaces, SurfaceIndex medium) {
+  return medium != k_void && !surfaces[medium].transparent;
 }
 
 /// Attenuates `light` by the crossings of a node between the origin and the reach. Returns false
@@ -47,45 +48,34 @@ template <class Real>
                                       Color<Real>& light) {
   const Surface<Real>* surfaces = frame.database.surfaces;
   SurfaceIndex medium = k_void;
+  std::int32_t i = first_ahead(frame, query, crossings, count, medium);
   Real from = constant<Real>(0);
-  for (std::int32_t i = 0; i < count; ++i) {
-    const Crossing<Real>& crossing = crossings[i];
-    if (crossing.distance > query.reach) {
-      break;
+  for (; !is_opaque(surfaces, medium); ++i) {
+    const bool is_last = i == count || crossings[i].distance > query.reach;
+    const Real to = is_last ? query.reach : crossings[i].distance;
+    if (medium != k_void && surfaces[medium].absorbing) {
+      light *= transmitted_over(surfaces[medium], to - from);
     }
-    const bool is_ahead = crossing.distance > constant<Real>(0);
-    if (medium != k_void && is_ahead && surfaces[medium].absorbing) {
-      light *= transmitted_over(surfaces[medium], crossing.distance - from);
+    if (is_last) {
+      return true;
     }
-    if (crossing.medium != k_void && !surfaces[crossing.medium].transparent &&
-        !ends_behind(&crossing)) {
-      return false;
+    if (!is_opaque(surfaces, crossings[i].medium)) {
+      pass_surface(frame, query, crossings[i], medium, light);
     }
-    if (is_ahead) {
-      pass_surface(frame, query, crossing, medium, light);
-      from = crossing.distance;
-    }
-    medium = crossing.medium;
+    from = to;
+    medium = crossings[i].medium;
   }
-  if (medium != k_void && surfaces[medium].absorbing) {
-    light *= transmitted_over(surfaces[medium], query.reach - from);
-  }
-  return true;
+  return false;
 }
 
 /// Whether opaque matter lies between the origin and the reach: what the combination leaves of the
 /// operands' spans may be all behind or beyond.
 template <class Real>
-bool is_stopped(const RayQuery<Real>& query, const Crossing<Real>* crossings, std::int32_t count) {
-  for (std::int32_t i = 0; i < count; i += 2) {
-    if (crossings[i].distance > query.reach) {
-      return false;
-    }
-    if (!ends_behind(crossings + i)) {
-      return true;
-    }
-  }
-  return false;
+bool is_stopped(const Frame<Real>& frame, const RayQuery<Real>& query,
+                const Crossing<Real>* crossings, std::int32_t count) {
+  SurfaceIndex medium = k_void;
+  const std::int32_t first = first_ahead(frame, query, crossings, count, medium);
+  return medium != k_void || (first < count && !(crossings[first].distance > query.reach));
 }
 
 /// Attenuates `light` by a node between the origin of the ray and its reach. Returns false when an
@@ -112,18 +102,19 @@ template <class Real>
   }
   const std::int32_t count = cross(frame, query, node, first);
   if (!frame.prepared.extents[node].transparent) {
-    return !is_stopped(query, first, count);
+    return !is_stopped(frame, query, first, count);
   }
   return pass_crossings(frame, query, first, count, light);
 }
 
 /// What of a source's light reaches the origin of a ray of unit direction towards it, at the given
-/// distance: `light` is attenuated. Returns false in shadow.
+/// distance: `light` is attenuated. The ray leaves a body, or k_no_node, into a medium. Returns
+/// false in shadow.
 template <class Real>
 bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
-             Crossing<Real>* area, Color<Real>& light) {
+             SurfaceIndex medium, Crossing<Real>* area, Color<Real>& light) {
   charge<Real>(Operation::shadow_ray);
-  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   return pass_node(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
                    frame.database.root, area, light);
 }

@@ -34,27 +34,19 @@ SurfaceIndex visible_surface(const Frame<Real>& frame, const Crossing<Real>& cro
   return surfaces[matter].transparent || surfaces[own].transparent ? matter : own;
 }
 
-/// The point of a crossing: computed in the leaf's frame, where it is settled on the surface, and
-/// brought back. Only crossings that survive the combination get here.
+/// The point of a crossing. Only crossings that survive the combination get here.
 template <class Real>
 SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>& query,
                                  const Crossing<Real>& crossing, SurfaceIndex before) {
-  charge<Real>(Operation::point);
-  const Leaf<Real>& leaf = frame.database.leaves[crossing.leaf];
-  const PreparedLeaf<Real>& prepared = frame.prepared.leaves[crossing.leaf];
-  const Primitive<Real>& primitive = primitive_of<Real>(leaf.kind);
-  const Real* parameters = frame.database.parameters + leaf.first_parameter;
-  charge<Real>(Operation::load, 3);
-  const Ray<Real> local = local_ray(prepared, query);
-  const FacePoint<Real> settled = primitive.settle(
-      local.origin + local.direction * crossing.distance, crossing.face, parameters);
+  const FacePoint<Real> settled = face_point(frame, query, crossing);
   SurfacePoint<Real> point;
-  point.position = transform_point(prepared.to_screen, settled.position);
-  const Vector<Real> outward = normalize(transform_normal(prepared.from_screen, settled.normal));
+  point.position = settled.position;
   // The way of the crossing, not a product with the direction: at a grazing point that rounding has
   // moved, its sign may be wrong.
-  point.normal = crossing.outwards ? -outward : outward;
-  point.clearance = (prepared.scale + magnitude(point.position)) * ulps<Real>(k_clearance);
+  point.normal = crossing.outwards ? -settled.normal : settled.normal;
+  charge<Real>(Operation::load);
+  point.clearance = (frame.prepared.leaves[crossing.leaf].scale + magnitude(point.position)) *
+                    ulps<Real>(k_clearance);
   point.surface = visible_surface(frame, crossing, before);
   point.before = before;
   point.after = crossing.medium;

@@ -23,11 +23,9 @@ constexpr int k_rays_per_body = 50;
 constexpr double k_pi = firmware::elementary::k_pi;
 /// Spacings by which elements of a placement are rounded otherwise.
 constexpr double k_ulps = 1;
-/// The sine of the angle, 3.6 degrees, below which a ray may see both of two coincident faces. They
-/// are apart by an ulp of their coordinates for the placement and one for the arithmetic of the
-/// ray, along the ray by that over the sine, and crossings within k_crossing_tolerance ulps are
-/// taken as one.
-constexpr double k_grazing_sine = (k_ulps + 1) / firmware::preprocessing::k_crossing_tolerance;
+/// The sine of the angle, 0.11 degrees, below which a ray may see both of two coincident faces:
+/// crossings farther apart than so many times their rounding are not taken as one.
+constexpr double k_grazing_sine = 1 / firmware::preprocessing::k_grazing;
 
 /// The share of rays that may see a skin although their neighbours give no reason: rounding that
 /// adds up to more than is expected.
@@ -94,9 +92,10 @@ Vector3 origin_of_ray(Random& random, const Place& place, const Vector3& target,
 /// Whether crossings are of a span so short that its ends fall together: a ray that meets an edge
 /// within rounding.
 template <class Real>
-bool is_sliver(const TrialScene<Real>& scene, const Crossings<Real>& crossings) {
+bool is_sliver(const TrialScene<Real>& scene, const firmware::RayQuery<Real>& query,
+               const Crossings<Real>& crossings) {
   return crossings.count == 2 &&
-         firmware::coincide(scene.frame().prepared, crossings.first[0], crossings.first[1]);
+         firmware::coincide(scene.frame(), query, crossings.first[0], crossings.first[1]);
 }
 
 /// Whether a ray's crossings with the first body are known well enough for those with the other to
@@ -107,9 +106,15 @@ bool is_certain(TrialScene<Real>& body, const Vector3& from, const Vector3& dire
   const auto query = query_of<Real>(rounded<Real>(from), direction);
   const Crossings<Real> found = body.crossings(query);
   const std::vector<firmware::Crossing<Real>> expected(found.begin(), found.end());
-  const auto scale = static_cast<double>(body.frame().prepared.leaves[0].scale);
-  const double rounding =
-      (k_ulps + 1) * std::numeric_limits<Real>::epsilon() * (scale + firmware::magnitude(from));
+  double reach = static_cast<double>(body.frame().prepared.leaves[0].scale);
+  for (const firmware::Crossing<Real>& crossing : expected) {
+    const double distance = std::fabs(static_cast<double>(crossing.distance));
+    const bool has_end = distance < static_cast<double>(firmware::far_away<Real>());
+    reach = std::max(reach, has_end ? distance : 0);
+  }
+  const double rounding = firmware::preprocessing::k_crossing_tolerance *
+                          std::numeric_limits<Real>::epsilon() *
+                          (reach + firmware::magnitude(from));
   for (int axis = 0; axis < 3; ++axis) {
     for (const double aside : {-rounding, rounding}) {
       Vector3 moved = from;
@@ -117,7 +122,7 @@ bool is_certain(TrialScene<Real>& body, const Vector3& from, const Vector3& dire
       const Crossings<Real> other = body.crossings(query_of<Real>(rounded<Real>(moved), direction));
       const bool same = std::equal(other.begin(), other.end(), expected.begin(), expected.end(),
                                    [&](const auto& one, const auto& two) {
-                                     return firmware::coincide(body.frame().prepared, one, two);
+                                     return firmware::coincide(body.frame(), query, one, two);
                                    });
       if (!same) {
         return false;
@@ -207,11 +212,11 @@ void try_touching(Random& random, TouchTally& tally) {
     tally.inner_faces += both.crossings(query).count > 2 ? 1 : 0;
     const Crossings<Real> nothing = common.crossings(query);
     if (nothing.count > 0) {
-      ++(is_sliver(common, nothing) ? tally.slivers : tally.common_skins);
+      ++(is_sliver(common, query, nothing) ? tally.slivers : tally.common_skins);
     }
     const Crossings<Real> whole = alone.crossings(query);
     if (rest.crossings(query).count != whole.count) {
-      ++(is_sliver(alone, whole) ? tally.slivers : tally.cuts);
+      ++(is_sliver(alone, query, whole) ? tally.slivers : tally.cuts);
     }
   }
 }
@@ -237,7 +242,7 @@ std::vector<StabilityRow> touching_box_rows(int trials) {
     try_touching<Real>(random, sum);
   });
   const char* subject = "boxes with a common face";
-  return {{k_group, subject, "rays steeper than 3.6 degrees", 1.0 * tally.rays, {}},
+  return {{k_group, subject, "rays steeper than 0.11 degrees", 1.0 * tally.rays, {}},
           {k_group, subject, "see the face in the union", 1.0 * tally.inner_faces, 0},
           {k_group, subject, "meet the intersection", 1.0 * tally.common_skins, 0},
           {k_group, subject, "find the difference cut", 1.0 * tally.cuts, 0},

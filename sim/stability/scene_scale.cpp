@@ -17,12 +17,12 @@ constexpr int k_scale_count = 10;
 constexpr double k_exact_scales[] = {1.0 / 131072, 131072};
 
 /// The most pixels whose centres lie so near to an edge that rounding decides on which side: a
-/// tenth of the picture is edges, and a ray's place is known to as many ulps of the screen as
-/// crossings of a ray are. The expected number and three standard deviations of so rare a thing.
+/// tenth of the picture is edges, and a ray's place is known to some ulps of the screen, which grow
+/// where it grazes. The expected number and three standard deviations of so rare a thing.
 template <class Real>
 double most_ties(const PictureFormat& format) {
   constexpr double k_edge_share = 0.1;
-  constexpr double k_ulps = firmware::preprocessing::k_crossing_tolerance;
+  constexpr double k_ulps = 32;
   const double band = 2 * k_ulps * std::numeric_limits<Real>::epsilon() * format.width;
   const double expected = k_edge_share * format.width * format.height * band;
   return std::floor(expected + 3 * std::sqrt(expected));

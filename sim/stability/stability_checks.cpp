@@ -8,6 +8,7 @@
 #include "sim/stability/coincident_faces.hpp"
 #include "sim/stability/counted_transfers.hpp"
 #include "sim/stability/crowded_machines.hpp"
+#include "sim/stability/exact_light.hpp"
 #include "sim/stability/extreme_scenes.hpp"
 #include "sim/stability/extreme_solids.hpp"
 #include "sim/stability/ray_parity.hpp"
@@ -26,6 +27,7 @@ constexpr int k_picture_width = 256;
 constexpr int k_ray_trials = 4000;
 constexpr int k_tree_trials = 20000;
 constexpr int k_body_trials = 4000;
+constexpr int k_light_pictures = 300;
 constexpr int k_stretched_trials = 5000;
 constexpr int k_generatrix_trials = 4000;
 constexpr int k_replacement_trials = 4000;
@@ -44,8 +46,8 @@ StabilityMaterial stability_material(const std::string& scenes_directory,
 }
 
 const std::vector<std::string>& stability_groups() {
-  static const std::vector<std::string> groups{"machines",       "roots", "scale",
-                                               "secondary_rays", "csg",   "extreme"};
+  static const std::vector<std::string> groups{"machines", "roots", "scale",  "secondary_rays",
+                                               "csg",      "light", "extreme"};
   return groups;
 }
 
@@ -94,6 +96,11 @@ std::vector<StabilityCheck> stability_checks(const StabilityMaterial& material, 
   checks.push_back({"csg", [&material, trials] {
                       return thin_shell_rows<Real>(material.families, trials(k_body_trials));
                     }});
+  if (std::is_same_v<Real, float>) {
+    checks.push_back({"light", [&material, trials] {
+                        return exact_light_rows(material.families, trials(k_light_pictures));
+                      }});
+  }
   checks.push_back({"extreme", [&material] { return extreme_scene_rows<Real>(material.scenes); }});
   for (const SolidFamily& family : material.families) {
     checks.push_back({"extreme", [&family, trials] {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdlib>
 
 #include "firmware/primitives/primitive_table.hpp"
@@ -30,7 +31,7 @@ struct ShellTally {
   }
 };
 
-/// Distance within which the firmware takes crossings with these leaves as one.
+/// Distance across faces within which the firmware takes crossings with these leaves as one.
 template <class Real>
 double merging_distance(const firmware::Frame<Real>& frame, double distance) {
   const auto scale = static_cast<double>(frame.prepared.leaves[0].scale) +
@@ -47,9 +48,13 @@ void try_ray(TrialScene<Real>& shell, TrialScene<double>& outer, const Vector3& 
   if (whole.count != 2) {
     return;
   }
+  const auto cosine = [&](const firmware::Crossing<double>& crossing) {
+    return std::fabs(
+        glm::dot(firmware::face_point(outer.frame(), query, crossing).normal, direction));
+  };
   // From the middle a wall begins at 1 - thickness of the way to the surface.
-  const double near_wall = (way - whole.first[0].distance) * thickness;
-  const double far_wall = (whole.first[1].distance - way) * thickness;
+  const double near_wall = (way - whole.first[0].distance) * thickness * cosine(whole.first[0]);
+  const double far_wall = (whole.first[1].distance - way) * thickness * cosine(whole.first[1]);
   const double least =
       k_safety * merging_distance(shell.frame(), static_cast<double>(whole.first[1].distance));
   const auto same = query_of<Real>(rounded<Real>(query.ray.origin), direction);

@@ -43,16 +43,20 @@ TrialPicture trial_picture(const PreparedScene<Real>& prepared, int stride) {
 template TrialPicture trial_picture<float>(const PreparedScene<float>& prepared, int stride);
 template TrialPicture trial_picture<double>(const PreparedScene<double>& prepared, int stride);
 
+int largest_difference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (const unsigned shift : {0U, 8U, 16U}) {
+    const auto of_a = static_cast<int>(a >> shift & 0xFFU);
+    const auto of_b = static_cast<int>(b >> shift & 0xFFU);
+    largest = std::max(largest, std::abs(of_a - of_b));
+  }
+  return largest;
+}
+
 int differing_pixels(const TrialPicture& a, const TrialPicture& b, int levels) {
   int count = 0;
   for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-    int largest = 0;
-    for (const unsigned shift : {0U, 8U, 16U}) {
-      const auto of_a = static_cast<int>(a.pixels[i] >> shift & 0xFFU);
-      const auto of_b = static_cast<int>(b.pixels[i] >> shift & 0xFFU);
-      largest = std::max(largest, std::abs(of_a - of_b));
-    }
-    count += largest > levels ? 1 : 0;
+    count += largest_difference(a.pixels[i], b.pixels[i]) > levels ? 1 : 0;
   }
   return count;
 }

@@ -24,6 +24,9 @@ template <class Real>
   return trial_picture(PreparedScene<Real>(packed_scene<Real>(scene, format)));
 }
 
+/// By how many levels of 255 the components of two colours 0xRRGGBB differ at most.
+[[nodiscard]] int largest_difference(std::uint32_t a, std::uint32_t b);
+
 /// The pixels of which a component differs by more than `levels` of 255.
 [[nodiscard]] int differing_pixels(const TrialPicture& a, const TrialPicture& b, int levels);
 

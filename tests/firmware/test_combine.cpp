@@ -1,5 +1,7 @@
 #include "firmware/combine.hpp"
 
+#include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/catch.hpp"
@@ -41,16 +43,35 @@ std::ostream& operator<<(std::ostream& out, const Step& step) {
 
 constexpr float k_scale = 100;
 
-/// Combines spans whose distances come from coordinates of size k_scale.
-Steps combined(BooleanOperator combination, const Spans& a, const Spans& b) {
+/// A plane whose normal is so far from the ray's direction, along z.
+PreparedLeaf<float> plane_at(float angle) {
+  PreparedLeaf<float> leaf{};
+  const float c = std::cos(angle);
+  const float s = std::sin(angle);
+  leaf.to_screen = {1, 0, 0, 0, c, s, 0, -s, c, 0, 0, 0};
+  leaf.from_screen = {1, 0, 0, 0, c, -s, 0, s, c, 0, 0, 0};
+  leaf.scale = k_scale;
+  return leaf;
+}
+
+/// Combines spans whose distances come from coordinates of size k_scale; their faces stand
+/// at angles to the ray.
+Steps combined(BooleanOperator combination, const Spans& a, const Spans& b, float angle_of_a = 0,
+               float angle_of_b = 0) {
   Surface<float> surfaces[4] = {};
   surfaces[k_glass].transparent = surfaces[k_water].transparent = true;
-  PreparedLeaf<float> leaves[2] = {};
-  leaves[0].scale = leaves[1].scale = k_scale;
+  PreparedLeaf<float> prepared[2] = {plane_at(angle_of_a), plane_at(angle_of_b)};
+  Leaf<float> leaves[2] = {};
+  leaves[0].kind = leaves[1].kind = kind_of<half_space::Kind>;
+  leaves[k_leaf_of_b].surface = k_blue;
+  RayQuery<float> query{};
+  query.ray.direction = {0, 0, 1};
   Frame<float> frame{};
+  frame.database.leaves = leaves;
   frame.database.surfaces = surfaces;
-  frame.prepared.leaves = leaves;
-  frame.prepared.coarse_tolerance = k_scale * ulps<float>(6 * preprocessing::k_crossing_tolerance);
+  frame.prepared.leaves = prepared;
+  frame.prepared.coarse_tolerance =
+      k_scale * ulps<float>(6 * preprocessing::k_grazing * preprocessing::k_crossing_tolerance);
   std::vector<Crossing<float>> area(4 * (a.size() + b.size()));
   std::size_t count = 0;
   for (const Span& span : a) {
@@ -61,7 +82,7 @@ Steps combined(BooleanOperator combination, const Spans& a, const Spans& b) {
     area[count++] = {span.in, k_leaf_of_b, 0, false, span.medium};
     area[count++] = {span.out, k_leaf_of_b, 1, true, k_void};
   }
-  const auto result = static_cast<std::size_t>(combine(frame, combination, area.data(),
+  const auto result = static_cast<std::size_t>(combine(frame, query, combination, area.data(),
                                                        static_cast<std::int32_t>(2 * a.size()),
                                                        static_cast<std::int32_t>(2 * b.size())));
   Steps steps;
@@ -266,6 +287,46 @@ TEST_CASE("A union does not depend on the order of its operands") {
       }
     }
   }
+}
+
+TEST_CASE("At a crease the face is seen that bounds the matter, of coincident faces the winner's") {
+  const NodeIndex a = k_leaf_of_a;
+  const NodeIndex b = k_leaf_of_b;
+  const float rounding = 4e-5F;
+  constexpr float k_crease = 1.2F;
+  const Spans blue{{2, 6, k_blue}};
+  const Spans red{{2 + rounding, 6 + rounding, k_red}};
+  const auto seen = [](BooleanOperator combination, const Spans& one, const Spans& other,
+                       float angle) {
+    const Steps steps = combined(combination, one, other, 0, angle);
+    REQUIRE(steps.size() == 2);
+    return std::pair(steps[0].seen, steps[1].seen);
+  };
+  CHECK(seen(BooleanOperator::union_of, blue, red, 0).first == b);
+  CHECK(seen(BooleanOperator::union_of, blue, red, k_crease) == std::pair(a, b));
+  CHECK(seen(BooleanOperator::union_of, red, blue, k_crease) == std::pair(b, a));
+  CHECK(seen(BooleanOperator::intersection, blue, red, 0) == std::pair(a, a));
+  CHECK(seen(BooleanOperator::intersection, blue, red, k_crease) == std::pair(b, a));
+  CHECK(seen(BooleanOperator::intersection, red, blue, k_crease) == std::pair(a, b));
+  const Spans behind{{1, 2 + rounding, k_red}};
+  CHECK(seen(BooleanOperator::difference, blue, behind, k_crease).first == b);
+}
+
+TEST_CASE("Of three crossings within rounding the two that are nearest fall together") {
+  const float rounding = 4e-5F;
+  // A body that ends where it begins in the other leaves nothing of itself.
+  CHECK(difference({{6 - rounding, 6, k_red}}, {{2, 6, k_blue}}).empty());
+  CHECK(intersection({{6 - rounding, 6, k_red}}, {{6, 9, k_blue}}).empty());
+}
+
+TEST_CASE("A ray that grazes faces sees one where they are apart by rounding across them") {
+  const float apart = 5e-3F;
+  const float grazing = std::acos(0.01F);
+  const Spans one{{2, 6, k_red}};
+  const Spans other{{2 + apart, 6 + apart, k_blue}};
+  CHECK(combined(BooleanOperator::difference, one, other).size() == 2);
+  CHECK(combined(BooleanOperator::difference, one, other, grazing, grazing).empty());
+  CHECK(combined(BooleanOperator::difference, one, other, grazing, 0.8F).size() == 2);
 }
 
 TEST_CASE("Crossings apart by more than rounding are kept apart") {

@@ -18,7 +18,10 @@ Color<double> light_over(BuiltFrame<Real>& built, const Vector<double>& from,
   const Vector<double> way = to - from;
   const Ray<Real> ray{trial::rounded<Real>(from), trial::rounded<Real>(glm::normalize(way))};
   Color<Real> light(constant<Real>(1), constant<Real>(1), constant<Real>(1));
-  if (!reaches(built.frame, ray, constant<Real>(glm::length(way)), k_no_node,
+  const auto crossings = built.crossings_of(from, glm::normalize(way));
+  SurfaceIndex medium = k_void;
+  first_ahead(crossings.data(), static_cast<std::int32_t>(crossings.size()), medium);
+  if (!reaches(built.frame, ray, constant<Real>(glm::length(way)), k_no_node, medium,
                built.area().crossings, light)) {
     return {0, 0, 0};
   }

@@ -83,7 +83,7 @@ TEMPLATE_TEST_CASE("A sheet stops the light from one side to the other and no ot
       const Ray<Real> ray{trial::rounded<Real>(setting.place(from)),
                           trial::rounded<Real>(glm::normalize(way))};
       Color<Real> light(constant<Real>(1), constant<Real>(1), constant<Real>(1));
-      return reaches(built.frame, ray, constant<Real>(glm::length(way)), k_no_node,
+      return reaches(built.frame, ray, constant<Real>(glm::length(way)), k_no_node, k_void,
                      built.area().crossings, light);
     };
     CAPTURE(i);
