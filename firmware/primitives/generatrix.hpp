@@ -3,8 +3,8 @@
 #include "firmware/polynomials/spline.hpp"
 #include "firmware/primitives/revolution.hpp"
 
-/// From the control points of a uniform cubic B-spline to the parameters of a solid of revolution
-/// (paper, sections IV.2.1 and IV.2.2).
+/// From the control points of a uniform cubic B-spline, or from sections, to the parameters of a
+/// solid of revolution (paper, sections IV.2.1 and IV.2.2).
 namespace maquette::firmware::revolution {
 
 constexpr std::ptrdiff_t parameter_count(int sections) {
@@ -34,17 +34,32 @@ void write_extents(const Real* points, int sections, Real* extents) {
   }
 }
 
+/// Fills what precedes the extents. Returns where the Bezier points lie.
+template <class Real>
+Real* write_header(int sections, bool is_open, Real* parameters) {
+  parameters[0] = from_integer<Real>(sections);
+  parameters[1] = constant<Real>(is_open ? 1 : 0);
+  parameters[k_root_tolerance] = constant<Real>(1);
+  return parameters + k_header_reals + (2 * sections - 1) * k_extent_reals;
+}
+
 /// Fills `parameters` (parameter_count) from pairs (r, z) of control points.
 template <class Real>
 void write_parameters(const Real* control, int control_points, bool is_open, Real* parameters) {
   const int sections = section_count(control_points, is_open);
-  parameters[0] = from_integer<Real>(sections);
-  parameters[1] = constant<Real>(is_open ? 1 : 0);
-  parameters[k_root_tolerance] = constant<Real>(1);
-  Real* extents = parameters + k_header_reals;
-  Real* points = extents + (2 * sections - 1) * k_extent_reals;
+  Real* points = write_header(sections, is_open, parameters);
   write_bezier_points(control, control_points, sections, points);
-  write_extents(points, sections, extents);
+  write_extents(points, sections, parameters + k_header_reals);
+}
+
+/// Fills `parameters` from pairs (r, z) of Bezier points, three for each section and the last.
+template <class Real>
+void write_section_parameters(const Real* bezier, int sections, bool is_open, Real* parameters) {
+  Real* points = write_header(sections, is_open, parameters);
+  for (int i = 0; i < sections * k_section_stride + k_point_reals; ++i) {
+    points[i] = bezier[i];
+  }
+  write_extents(points, sections, parameters + k_header_reals);
 }
 
 }  // namespace maquette::firmware::revolution

@@ -29,6 +29,12 @@ double height_around(double width, double height, const PictureFormat& format) {
   return std::max(height, width * format.height / format.width);
 }
 
+/// What an angle spans one unit in front of the eye.
+double spanned(double angle_deg) {
+  const double half = angle_deg / 2 * (firmware::elementary::k_pi / 180);
+  return 2 * firmware::sine(half) / firmware::cosine(half);
+}
+
 Window window_in_front(const View& view, const PictureFormat& format) {
   const Vector3 forward = glm::normalize(view.target - view.eye);
   const Vector3 right = glm::normalize(glm::cross(forward, view.up));
@@ -36,8 +42,9 @@ Window window_in_front(const View& view, const PictureFormat& format) {
   Window window;
   window.from_screen = screen_frame(right, up, forward, view.eye);
   if (view.field_of_view_deg) {
-    const double half = *view.field_of_view_deg / 2 * (firmware::elementary::k_pi / 180);
-    window.height = 2 * firmware::sine(half) / firmware::cosine(half);
+    window.height = spanned(*view.field_of_view_deg);
+  } else if (view.horizontal_field_of_view_deg) {
+    window.height = spanned(*view.horizontal_field_of_view_deg) * format.height / format.width;
   } else {
     window.height = height_around(view.screen->width / view.screen->distance,
                                   view.screen->height / view.screen->distance, format);

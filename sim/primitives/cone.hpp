@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/cone.hpp"
-#include "sim/primitives/local_frame.hpp"
+#include "sim/primitives/axis.hpp"
 
 namespace maquette::sim {
 
@@ -9,9 +9,9 @@ namespace maquette::sim {
 struct ConeShape {
   using Kind = firmware::cone::Kind;
 
-  double radius = 1;      ///< at z = 0
-  double top_radius = 0;  ///< at z = height; 0 is a pointed cone
-  double height = 1;
+  double radius = 1;      ///< where the axis begins
+  double top_radius = 0;  ///< where it ends; 0 is a pointed cone
+  Axis axis;
 };
 
 /// A cone with equal radii is a cylinder.

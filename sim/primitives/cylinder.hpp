@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/primitives/cylinder.hpp"
-#include "sim/primitives/local_frame.hpp"
+#include "sim/primitives/axis.hpp"
 
 namespace maquette::sim {
 
@@ -10,7 +10,7 @@ struct CylinderShape {
   using Kind = firmware::cylinder::Kind;
 
   double radius = 1;
-  double height = 1;
+  Axis axis;
 };
 
 [[nodiscard]] LocalFrame frame_of(const CylinderShape& shape);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
-#include "firmware/polynomials/spline.hpp"
+#include "sim/primitives/generatrix_sections.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -53,22 +53,40 @@ std::vector<glm::dvec2> displaced_points(const RevolutionShape& shape) {
   return points;
 }
 
+GeneratrixCurve generatrix_curve(const RevolutionShape& shape,
+                                 const std::vector<glm::dvec2>& points) {
+  return {sections_of(points, shape.curve.value_or(GeneratrixKind::b_spline), shape.closed),
+          shape.closed};
+}
+
 GeneratrixCurve generatrix_curve(const RevolutionShape& shape) {
-  std::vector<double> control;
-  for (const glm::dvec2& point : displaced_points(shape)) {
-    control.insert(control.end(), {point.x, point.y});
+  return generatrix_curve(shape, displaced_points(shape));
+}
+
+std::size_t section_count(const RevolutionShape& shape, std::size_t points) {
+  switch (shape.curve.value_or(GeneratrixKind::b_spline)) {
+    case GeneratrixKind::b_spline:
+      return shape.closed ? points : points - std::min<std::size_t>(points, 3);
+    case GeneratrixKind::bezier:
+      return points % 3 == (shape.closed ? 0 : 1) ? points / 3 : 0;
+    case GeneratrixKind::interpolating:
+    case GeneratrixKind::polygon:
+      break;
   }
-  const auto count = static_cast<int>(shape.points.size());
-  const int sections = firmware::section_count(count, !shape.closed);
-  std::vector<double> bezier(
-      static_cast<std::size_t>(sections * firmware::k_section_stride + firmware::k_point_reals));
-  firmware::write_bezier_points(control.data(), count, sections, bezier.data());
-  GeneratrixCurve curve;
-  curve.closed = shape.closed;
-  for (std::size_t i = 0; i < bezier.size(); i += 2) {
-    curve.points.emplace_back(bezier[i], bezier[i + 1]);
+  return shape.closed ? points : points - std::min<std::size_t>(points, 1);
+}
+
+std::size_t point_count(const RevolutionShape& shape, std::size_t sections) {
+  switch (shape.curve.value_or(GeneratrixKind::b_spline)) {
+    case GeneratrixKind::b_spline:
+      return shape.closed ? sections : sections + 3;
+    case GeneratrixKind::bezier:
+      return 3 * sections + (shape.closed ? 0 : 1);
+    case GeneratrixKind::interpolating:
+    case GeneratrixKind::polygon:
+      break;
   }
-  return curve;
+  return shape.closed ? sections : sections + 1;
 }
 
 Extent2 extent_of(const GeneratrixCurve& curve) {

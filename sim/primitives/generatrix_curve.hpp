@@ -23,9 +23,19 @@ struct Extent2 {
   glm::dvec2 high;
 };
 
-/// After all displacements (paper, section IV.2.1: change of basis). The number of control points
-/// must be a generatrix's.
+/// The sections that a shape's points make (paper, section IV.2.1: change of basis); as many points
+/// as displaced_points gives. Their number must be a generatrix's.
+[[nodiscard]] GeneratrixCurve generatrix_curve(const RevolutionShape& shape,
+                                               const std::vector<glm::dvec2>& points);
+
+/// The same after all displacements.
 [[nodiscard]] GeneratrixCurve generatrix_curve(const RevolutionShape& shape);
+
+/// So many sections are made of so many points; 0 where that is not a whole number of them.
+[[nodiscard]] std::size_t section_count(const RevolutionShape& shape, std::size_t points);
+
+/// So many points make so many sections.
+[[nodiscard]] std::size_t point_count(const RevolutionShape& shape, std::size_t sections);
 
 [[nodiscard]] Extent2 extent_of(const GeneratrixCurve& curve);
 

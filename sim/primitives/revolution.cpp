@@ -22,13 +22,22 @@ struct DisplacementsType {
   [[nodiscard]] static YamlNode write(const std::vector<Displacement>& displacements);
 };
 
+ChoiceType<GeneratrixKind> generatrix_kinds() {
+  return {{{"b_spline", GeneratrixKind::b_spline},
+           {"bezier", GeneratrixKind::bezier},
+           {"interpolating", GeneratrixKind::interpolating},
+           {"polygon", GeneratrixKind::polygon}}};
+}
+
 inline constexpr PointListType k_profile_points{{-k_largest_length, k_largest_length}};
 
 template <class Visitor>
 void declare(Visitor& visitor, RevolutionShape& shape) {
-  visitor.field(required("points", "control points [r, z] of a uniform cubic B-spline"),
-                shape.points, k_profile_points);
-  visitor.field({"closed", "the spline joins its ends; false: discs close the solid"}, shape.closed,
+  visitor.field(required("points", "points [r, z] of the generatrix"), shape.points,
+                k_profile_points);
+  visitor.field({"curve", "what the points are; b_spline where nothing is said"}, shape.curve,
+                generatrix_kinds());
+  visitor.field({"closed", "the curve joins its ends; false: discs close the solid"}, shape.closed,
                 FlagType{});
   visitor.field({"displacements", "of the control points, by their names"}, shape.displacements,
                 DisplacementsType{});
@@ -49,14 +58,18 @@ void declare_displacement(Visitor& visitor, Displacement& displacement) {
 }
 
 void check_count(const RevolutionShape& shape, const YamlNode& node) {
-  const std::size_t least = shape.closed ? 3 : 4;
-  const auto most =
-      static_cast<std::size_t>(firmware::revolution::k_section_limit) + (shape.closed ? 0 : 3);
-  if (shape.points.size() < least || shape.points.size() > most) {
+  const GeneratrixKind kind = shape.curve.value_or(GeneratrixKind::b_spline);
+  constexpr auto k_most = static_cast<std::size_t>(firmware::revolution::k_section_limit);
+  const std::size_t least = shape.closed && kind != GeneratrixKind::bezier ? 3 : 1;
+  const std::size_t sections = section_count(shape, shape.points.size());
+  if (sections < least || sections > k_most) {
     fail(node, "points",
-         std::to_string(shape.points.size()) + " control points; " + std::to_string(least) +
-             " to " + std::to_string(most) + " are allowed for " +
-             (shape.closed ? "a closed" : "an open") + " generatrix");
+         std::to_string(shape.points.size()) + " control points; " +
+             std::to_string(point_count(shape, least)) + " to " +
+             std::to_string(point_count(shape, k_most)) + " are allowed for " +
+             (shape.closed ? "a closed" : "an open") + " generatrix" +
+             (kind == GeneratrixKind::bezier ? ", three for each section" : "") +
+             (kind == GeneratrixKind::bezier && !shape.closed ? " and the last" : ""));
   }
   for (const Displacement& displacement : shape.displacements) {
     if (displacement.by.size() != shape.points.size()) {
@@ -136,16 +149,19 @@ LocalFrame frame_of(const RevolutionShape& shape) {
   if (enclosed_area(curve) < 0) {
     std::reverse(points.begin(), points.end());
   }
-  std::vector<double> control;
-  for (const glm::dvec2& point : points) {
-    control.insert(control.end(), {point.x / radius, (point.y - middle) / half_height});
+  for (glm::dvec2& point : points) {
+    point = {point.x / radius, (point.y - middle) / half_height};
+  }
+  std::vector<double> sections;
+  for (const glm::dvec2& point : generatrix_curve(shape, points).points) {
+    sections.insert(sections.end(), {point.x, point.y});
   }
   LocalFrame frame;
   frame.kind = firmware::kind_of<firmware::revolution::Kind>;
   frame.parameters.resize(static_cast<std::size_t>(
       firmware::revolution::parameter_count(static_cast<int>(curve.sections()))));
-  firmware::revolution::write_parameters(control.data(), static_cast<int>(points.size()),
-                                         !shape.closed, frame.parameters.data());
+  firmware::revolution::write_section_parameters(
+      sections.data(), static_cast<int>(curve.sections()), !shape.closed, frame.parameters.data());
   frame.to_object = {radius, 0, 0, 0, radius, 0, 0, 0, half_height, 0, 0, middle};
   return frame;
 }

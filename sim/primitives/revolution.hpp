@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +18,22 @@ struct Displacement {
   double amount = 0;
 };
 
-/// A solid of revolution about z: a uniform cubic B-spline of control points (r, z).
+/// What the points of a generatrix are.
+enum class GeneratrixKind {
+  b_spline,       ///< control points of a uniform cubic B-spline
+  bezier,         ///< those of cubic Bezier sections, each of which begins where the last ends
+  interpolating,  ///< points that a cubic spline passes, without curvature at open ends
+  polygon         ///< corners
+};
+
+/// A solid of revolution about z by the points (r, z) of its generatrix.
 struct RevolutionShape {
   using Kind = firmware::revolution::Kind;
 
   std::vector<glm::dvec2> points;
   bool closed = false;
   std::vector<Displacement> displacements;
+  std::optional<GeneratrixKind> curve = std::nullopt;  ///< a B-spline where nothing is said
 };
 
 /// The control points after all displacements.

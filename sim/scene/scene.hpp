@@ -27,13 +27,14 @@ struct Screen {
   std::optional<Placement> placement;
 };
 
-/// The observer (paper, section II.1): exactly one of field_of_view_deg and screen is given. A
+/// The observer (paper, section II.1): exactly one of the fields of view and screen is given. A
 /// screen that is placed takes the place of target and up.
 struct View {
   Vector3 eye{0, 0, 0};
   Vector3 target{0, 0, -1};
   Vector3 up{0, 0, 1};
   std::optional<double> field_of_view_deg;  ///< vertical; pixels are square
+  std::optional<double> horizontal_field_of_view_deg;
   std::optional<Screen> screen;
 };
 

@@ -129,9 +129,11 @@ void check_view(const View& view, const YamlNode& node) {
   if (view.up == Vector3{0, 0, 0} || !(glm::length(glm::cross(direction, up)) > k_least_sine)) {
     fail(node, "up", "it has no part across the direction from eye to target; another is allowed");
   }
-  if (view.field_of_view_deg.has_value() == view.screen.has_value()) {
+  const int given = (view.field_of_view_deg ? 1 : 0) + (view.horizontal_field_of_view_deg ? 1 : 0) +
+                    (view.screen ? 1 : 0);
+  if (given != 1) {
     fail(node, view.screen ? "screen" : "view",
-         "one of field_of_view, screen is allowed and needed");
+         "one of field_of_view, horizontal_field_of_view, screen is allowed and needed");
   }
 }
 

@@ -16,7 +16,8 @@
 namespace maquette::sim {
 namespace {
 
-/// As many lights or surfaces as a board's database can number.
+/// As many lights or surfaces as a board's database can number, in 16 bits of which some numbers
+/// have a meaning of their own; nodes and parameters have 32 bits.
 constexpr std::size_t k_most_named = 65'000;
 
 template <class Visitor>
@@ -43,7 +44,9 @@ struct NamedType {
     check_mapping(node, name);
     if (node.entries.size() > k_most_named) {
       throw DescriptionError(node.place.position(),
-                             std::string{name} + ": more than " + std::to_string(k_most_named));
+                             std::string{name} + ": " + std::to_string(node.entries.size()) +
+                                 " are given; up to " + std::to_string(k_most_named) +
+                                 " are allowed");
     }
     std::vector<Element> elements;
     elements.reserve(node.entries.size());

@@ -56,6 +56,8 @@ void declare_view(Visitor& visitor, View& view) {
   visitor.field({"up", "direction that is up in the picture"}, view.up, k_point);
   visitor.field({"field_of_view", "vertical angle; or give a screen"}, view.field_of_view_deg,
                 RealType{RealDimension::angle, {0.001, 179}});
+  visitor.field({"horizontal_field_of_view", "the angle across; or give a screen"},
+                view.horizontal_field_of_view_deg, RealType{RealDimension::angle, {0.001, 179}});
 }
 
 template <class Visitor>
@@ -202,8 +204,9 @@ void declare_ray_tree(Visitor& visitor, RayTree& tree) {
 
 template <class Visitor>
 void declare_roots(Visitor& visitor, Roots& roots) {
-  visitor.field({"tolerance", "of the roots that give a ray's hits, in ulps"}, roots.tolerance,
-                RealType{RealDimension::number, {1, 1e6}});
+  visitor.field(
+      {"tolerance", "of the roots that give a ray's hits with revolutions and tori, in ulps"},
+      roots.tolerance, RealType{RealDimension::number, {1, 1e6}});
 }
 
 template <class Visitor>

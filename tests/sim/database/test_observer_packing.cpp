@@ -87,5 +87,21 @@ TEST_CASE("A scaled screen is seen like one of that size") {
   CHECK(scaled_up.step == Approx(6.0 / 5 / 64));
 }
 
+/// The angle, in degrees, that so many pixels span around the middle.
+double angle_deg(const firmware::Observer<double>& observer, int pixels) {
+  return 2 * std::atan(observer.step * pixels / 2) * 180 / std::acos(-1.0);
+}
+
+TEST_CASE("A field of view spans the picture upwards or across, whatever its shape") {
+  for (const PictureFormat format : {PictureFormat{768, 575}, PictureFormat{100, 300}}) {
+    View view;
+    view.field_of_view_deg = 40;
+    CHECK(angle_deg(observer_of(view, format), format.height) == Approx(40));
+    view.field_of_view_deg.reset();
+    view.horizontal_field_of_view_deg = 40;
+    CHECK(angle_deg(observer_of(view, format), format.width) == Approx(40));
+  }
+}
+
 }  // namespace
 }  // namespace maquette::sim

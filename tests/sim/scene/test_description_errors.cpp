@@ -106,7 +106,7 @@ TEST_CASE("unknown keys are reported with the allowed ones and the nearest") {
               "scene.yaml:3:1: scene: unknown key `shadow`; allowed: ", "did you mean `shadows`?");
   check_error(with_view("view: {eyes: [4, -6, 3], target: [0, 0, 0], field_of_view: 35 deg}"),
               "scene.yaml:1:8: view: unknown key `eyes`; allowed: eye, screen, target, "
-              "up, field_of_view; did you mean `eye`?",
+              "up, field_of_view, horizontal_field_of_view; did you mean `eye`?",
               "");
   check_error(with_surface("  red: {metal: {index: 1, extinction: 2}, index: 1}"),
               "scene.yaml:5:43: red: unknown key `index`", "metal");
@@ -126,7 +126,7 @@ TEST_CASE("missing values are reported") {
   check_error(with_lights("lights: {key: {intensity: 1}}"),
               "scene.yaml:2:15: ", "key: `position` is missing");
   check_error(with_object("object: {cone: {radius: 1}, surface: red}"),
-              "scene.yaml:6:16: ", "cone: `height` is missing");
+              "scene.yaml:6:16: ", "one of height, from with to is allowed and needed");
   check_error(with_object("object: {surface: red}"), "scene.yaml:6:9: ", "what it is is missing");
 }
 
@@ -166,6 +166,21 @@ TEST_CASE("values of the wrong type, unit or range are reported with what is all
               "scene.yaml:2:10: ", "`a.b` is no name");
 }
 
+TEST_CASE("more surfaces or lights than have numbers are refused with the figure") {
+  const auto named = [](int count, const std::string& value) {
+    std::string list;
+    for (int i = 0; i < count; ++i) {
+      list += "  n" + std::to_string(i) + ": " + value + "\n";
+    }
+    return list;
+  };
+  constexpr int k_most = 65000;
+  check_error(with_lights("lights:\n" + named(k_most + 1, "{position: [1, 2, 3]}")),
+              "scene.yaml:3:3: lights: ", "65001 are given; up to 65000 are allowed");
+  check_error(with_surface(named(k_most, "{}") + "  red: {diffuse: 0.5}"),
+              "scene.yaml:5:3: surfaces: ", "65001 are given; up to 65000 are allowed");
+}
+
 TEST_CASE("views that show nothing are refused") {
   check_error(with_view("view: {eye: [1, 2, 3], target: [1, 2, 3], field_of_view: 35 deg}"),
               "scene.yaml:1:32: target: ", "where the eye is");
@@ -178,10 +193,10 @@ TEST_CASE("views that show nothing are refused") {
       with_view("view: {eye: [9, 0, 9], target: [0, 0, 0], up: [0, 0, 0], field_of_view: 35 deg}"),
       "scene.yaml:1:47: up: ", "across");
   check_error(with_view("view: {eye: [9, 0, 9], target: [0, 0, 0]}"),
-              "scene.yaml:1:7: ", "one of field_of_view, screen");
+              "scene.yaml:1:7: ", "one of field_of_view, horizontal_field_of_view, screen");
   check_error(with_view("view: {eye: [9, 0, 9], target: [0, 0, 0], field_of_view: 35 deg, screen: "
                         "{distance: 1, width: 1, height: 1}}"),
-              "scene.yaml:1:74: ", "one of field_of_view, screen");
+              "scene.yaml:1:74: ", "one of field_of_view, horizontal_field_of_view, screen");
 }
 
 TEST_CASE("screens that cannot be are refused") {

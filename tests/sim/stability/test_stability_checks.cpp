@@ -47,6 +47,10 @@ TEMPLATE_TEST_CASE("Solids keep in and out apart on every ray", "", float, doubl
   check_bounds<TestType>("csg", 0.01);
 }
 
+TEST_CASE("Creases show no light that is nowhere near in the exact picture") {
+  check_bounds<float>("light", 0.05);
+}
+
 TEMPLATE_TEST_CASE("Extreme inputs give pictures or are refused", "", float, double) {
   check_bounds<TestType>("extreme", 0.02);
 }
