@@ -11,6 +11,7 @@ namespace maquette::firmware {
 template <class Real>
 std::int32_t crossings_of_hits(const RayQuery<Real>& query, NodeIndex node, SurfaceIndex surface,
                                const Hit<Real>* hits, int hit_count, Crossing<Real>* first) {
+  const InFunction<Real> here(Function::classification);
   std::int32_t count = 0;
   for (int i = 0; i < hit_count; i += 2) {
     const Hit<Real>& in = hits[i];
@@ -30,6 +31,7 @@ template <int limit, class Real>
 [[gnu::always_inline]] inline std::int32_t cross_primitive(const Frame<Real>& frame,
                                                            const RayQuery<Real>& query,
                                                            NodeIndex node, Crossing<Real>* first) {
+  const InFunction<Real> here(intersection_of(frame.database.leaves[node].kind));
   charge<Real>(Operation::leaf);
   const Leaf<Real>& leaf = frame.database.leaves[node];
   charge<Real>(Operation::load, 2);

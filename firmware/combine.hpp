@@ -113,8 +113,8 @@ template <class Real>
   const Crossing<Real>& farther = b_is_nearer ? a.take() : b.take();
   const SurfaceIndex after = combined_medium(combination, surfaces, a.medium, b.medium);
   const Crossing<Real>& passage = (between == k_void) == (after == k_void) ? nearer : farther;
-  const bool b_wins = combination == k_keeps_second &&
-                      united_medium(surfaces, a.medium, b.medium) == b.medium;
+  const bool b_wins =
+      combination == k_keeps_second && united_medium(surfaces, a.medium, b.medium) == b.medium;
   const Crossing<Real>& winner = b_wins == b_is_nearer ? nearer : farther;
   const Leaf<Real>* leaves = frame.database.leaves;
   const bool look_alike = leaves[nearer.leaf].surface == leaves[farther.leaf].surface;
@@ -160,6 +160,7 @@ template <class Real>
 [[gnu::noinline]] std::int32_t combine(const Frame<Real>& frame, const RayQuery<Real>& query,
                                        BooleanOperator combination, Crossing<Real>* first,
                                        std::int32_t a_count, std::int32_t b_count) {
+  const InFunction<Real> here(Function::combination);
   charge<Real>(Operation::combination);
   const Surface<Real>* surfaces = frame.database.surfaces;
   OperandCursor<Real> a{first, first + a_count, k_void};

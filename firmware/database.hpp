@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "firmware/arithmetic/extent_use.hpp"
 #include "firmware/boolean_operator.hpp"
 #include "firmware/vector.hpp"
 
@@ -149,7 +150,7 @@ struct Needs {
 };
 
 template <class Real>
-struct Database {
+struct Database : ExtentUse<Real> {
   const Leaf<Real>* leaves;
   const Composite* composites;
   const Real* parameters;

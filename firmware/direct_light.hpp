@@ -58,7 +58,7 @@ template <class Real>
   if (frame.database.needs.shadows) {
     ++rays.shadow;
     if (!reaches_freely(frame, {far_departure(point), incidence.to_light}, incidence.distance,
-                        far_left_behind(point), area)) {
+                        far_left_behind(point), point.after, area)) {
       return arriving * constant<Real>(0);
     }
   } else if (point.after != k_void) {
@@ -77,6 +77,7 @@ Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
                        const SurfacePoint<Real>& point, const View<Real>& view,
                        Crossing<Real>* area, RayCounts& rays) {
   charge<Real>(Operation::light);
+  LightAsked<Real>::put(light);
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 6);

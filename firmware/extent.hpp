@@ -24,6 +24,7 @@ Sphere<Real> sphere_of(const Vector<Real>& center, Real radius) {
 /// The sphere through the corners of a box.
 template <class Real>
 Sphere<Real> sphere_around(const Box<Real>& box) {
+  const InFunction<Real> here(Function::spheres);
   const Real half = constant<Real>(0.5);
   return sphere_of((box.low + box.high) * half, length(box.high - box.low) * half);
 }
@@ -31,6 +32,7 @@ Sphere<Real> sphere_around(const Box<Real>& box) {
 /// The smallest sphere around two spheres.
 template <class Real>
 Sphere<Real> sphere_around(const Sphere<Real>& a, const Sphere<Real>& b) {
+  const InFunction<Real> here(Function::spheres);
   const Vector<Real> apart = b.center - a.center;
   const Real distance = length(apart);
   if (distance + b.radius <= a.radius) {
@@ -46,6 +48,7 @@ Sphere<Real> sphere_around(const Sphere<Real>& a, const Sphere<Real>& b) {
 
 template <class Real>
 const Sphere<Real>& smaller_sphere(const Sphere<Real>& a, const Sphere<Real>& b) {
+  const InFunction<Real> here(Function::spheres);
   return b.radius < a.radius ? b : a;
 }
 
@@ -103,6 +106,7 @@ Extent<Real> without(const Extent<Real>& a, const Extent<Real>& b) {
 
 template <class Real>
 Extent<Real> combined(BooleanOperator combination, const Extent<Real>& a, const Extent<Real>& b) {
+  const InFunction<Real> here(Function::boxes);
   switch (combination) {
     case BooleanOperator::union_of:
       return united(a, b);

@@ -9,13 +9,23 @@ namespace maquette::firmware {
 /// Where a ray enters a node's box; far away when it may not meet the node.
 template <class Real>
 Real entry_of(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
+  const InFunction<Real> here(Function::extents);
   const Extent<Real>& extent = frame.prepared.extents[node];
   charge<Real>(Operation::rectangle);
-  if (query.is_primary && !extent.rectangle.contains(query.column, query.row)) {
-    charge<Real>(Operation::load, 2);
-    return far_away<Real>();
+  if (frame.database.tests_rectangles && query.is_primary) {
+    if (!extent.rectangle.contains(query.column, query.row)) {
+      frame.database.note(ExtentKind::rectangle, node, false);
+      charge<Real>(Operation::load, 2);
+      return far_away<Real>();
+    }
+    frame.database.note(ExtentKind::rectangle, node, true);
   }
-  return entry_into(extent, query);
+  if (!frame.database.tests_boxes) {
+    return -far_away<Real>();
+  }
+  const Real entry = entry_into(extent, query);
+  frame.database.note_entry(node, entry);
+  return entry;
 }
 
 /// Ends the reach behind the first opaque matter ahead: whoever lies farther is not seen.
@@ -89,6 +99,7 @@ template <class Real>
 template <class Real>
 std::int32_t cross_scene(const Frame<Real>& frame, const RayQuery<Real>& query,
                          Crossing<Real>* first) {
+  const InFunction<Real> here(Function::classification);
   return frame.database.needs.large_unions ? cross_ahead(frame, query, first)
                                            : cross(frame, query, frame.database.root, first);
 }

@@ -49,6 +49,7 @@ Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& fra
 template <class Real>
 Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real scale,
                     const Observer<Real>& observer) {
+  const InFunction<Real> here(Function::rectangles);
   const Real margin = scale * ulps<Real>(k_extent_margin);
   Real left = far_away<Real>();
   Real right = -left;
@@ -98,6 +99,7 @@ Real stretch(const Affine<Real>& frame) {
 template <class Real>
 Real radius_of(PrimitiveKind kind, const Box<Real>& local, const Affine<Real>& to_screen,
                const Vector<Real>& center) {
+  const InFunction<Real> here(Function::spheres);
   if (fits_unit_ball(kind, Primitives{})) {
     return stretch(to_screen);
   }
@@ -121,6 +123,7 @@ Box<Real> box_around(const Box<Real>& local, const Affine<Real>& to_screen) {
 
 template <class Real>
 PreparedLeaf<Real> prepared_leaf(const Leaf<Real>& leaf, const Observer<Real>& observer) {
+  const InFunction<Real> here(Function::concatenation);
   PreparedLeaf<Real> prepared;
   prepared.to_screen = concatenate(observer.to_screen, leaf.to_scene);
   prepared.from_screen = concatenate(leaf.from_scene, observer.from_screen);
@@ -131,6 +134,7 @@ PreparedLeaf<Real> prepared_leaf(const Leaf<Real>& leaf, const Observer<Real>& o
 template <class Real>
 Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
                          const PreparedLeaf<Real>& prepared) {
+  const InFunction<Real> here(Function::boxes);
   Extent<Real> extent{};
   Box<Real> local{};
   extent.bounded =
@@ -207,6 +211,7 @@ template <class Real>
 /// rectangle of the root.
 template <class Real>
 void preprocess(const Database<Real>& database, Prepared<Real>& prepared) {
+  const InFunction<Real> here(Function::preparation);
   preprocessing::prepare_nodes(database, prepared);
   if (database.needs.diffuse) {
     preprocessing::prepare_surfaces(database, prepared);

@@ -70,18 +70,31 @@ template <class Real>
 /// large unions, by the box.
 template <class Real>
 bool may_meet(const Frame<Real>& frame, const RayQuery<Real>& query, NodeIndex node) {
+  const InFunction<Real> here(Function::extents);
   const Extent<Real>& extent = frame.prepared.extents[node];
-  if (query.is_primary) {
+  if (frame.database.tests_rectangles && query.is_primary) {
     charge<Real>(Operation::load, 2);
     charge<Real>(Operation::rectangle);
     if (!extent.rectangle.contains(query.column, query.row)) {
+      frame.database.note(ExtentKind::rectangle, node, false);
       return false;
     }
+    frame.database.note(ExtentKind::rectangle, node, true);
   }
   if (frame.database.needs.large_unions) {
-    return entry_into(extent, query) < far_away<Real>();
+    if (!frame.database.tests_boxes) {
+      return true;
+    }
+    const bool is_met = entry_into(extent, query) < far_away<Real>();
+    frame.database.note(ExtentKind::box, node, is_met);
+    return is_met;
   }
-  return query.is_primary || !extent.bounded || meets(query.ray, query.reach, extent.sphere);
+  if (query.is_primary || !extent.bounded || !frame.database.tests_spheres) {
+    return true;
+  }
+  const bool is_met = meets(query.ray, query.reach, extent.sphere);
+  frame.database.note(ExtentKind::sphere, node, is_met);
+  return is_met;
 }
 
 }  // namespace maquette::firmware

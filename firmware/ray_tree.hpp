@@ -43,6 +43,7 @@ std::int32_t spawn_reflected(const Frame<Real>& frame, const SurfacePoint<Real>&
   const Vector<Real> direction = point.normal * (constant<Real>(2) * view.cosine) - view.towards;
   stack[height] = {
       {departure(point), normalize(direction)}, weight, depth, point.before, left_behind(point)};
+  WaitingRays<Real>::put(height, RayKind::reflected);
   return height + 1;
 }
 
@@ -63,6 +64,7 @@ template <class Real>
                    depth,
                    point.after,
                    far_left_behind(point)};
+  WaitingRays<Real>::put(height, RayKind::refracted);
   return height + 1;
 }
 
@@ -106,6 +108,7 @@ template <class Real>
 Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
                    const PendingRay<Real>& pending, const WorkArea<Real>& area,
                    std::int32_t& height, Sight<Real>& sight) {
+  const InFunction<Real> here(Function::photometry);
   charge<Real>(Operation::ray);
   const Database<Real>& database = frame.database;
   const std::int32_t count = cross_scene(frame, query, area.crossings);
@@ -161,6 +164,7 @@ Color<Real> luminance(const Frame<Real>& frame, const RayQuery<Real>& primary,
   while (height > 0) {
     charge<Real>(Operation::load, 10);
     const PendingRay<Real> pending = area.rays[--height];
+    const InRay<Real> here(WaitingRays<Real>::at(height));
     const RayQuery<Real> query{pending.ray, far_away<Real>(),    false,         0,
                                0,           pending.left_behind, pending.medium};
     sum += follow(frame, query, pending, area, height, sight);

@@ -46,6 +46,7 @@ template <class Real>
 [[gnu::noinline]] bool pass_crossings(const Frame<Real>& frame, const RayQuery<Real>& query,
                                       const Crossing<Real>* crossings, std::int32_t count,
                                       Color<Real>& light) {
+  const InFunction<Real> here(Function::photometry);
   const Surface<Real>* surfaces = frame.database.surfaces;
   SurfaceIndex medium = k_void;
   std::int32_t i = first_ahead(frame, query, crossings, count, medium);
@@ -113,27 +114,29 @@ template <class Real>
 template <class Real>
 bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
              SurfaceIndex medium, Crossing<Real>* area, Color<Real>& light) {
+  const InRay<Real> towards(LightAsked<Real>::shadow_ray());
+  const InFunction<Real> here(Function::classification);
   charge<Real>(Operation::shadow_ray);
   const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   return pass_node(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
                    frame.database.root, area, light);
 }
 
-/// Whether no surface at all lies between the origin of a ray of unit direction and a distance.
+/// Whether no surface at all lies between the origin of a ray of unit direction, which leaves a
+/// body into a medium, and a distance.
 template <class Real>
 bool reaches_freely(const Frame<Real>& frame, const Ray<Real>& ray, Real distance,
-                    NodeIndex left_behind, Crossing<Real>* area) {
+                    NodeIndex left_behind, SurfaceIndex medium, Crossing<Real>* area) {
+  const InRay<Real> towards(LightAsked<Real>::shadow_ray());
+  const InFunction<Real> here(Function::classification);
   charge<Real>(Operation::shadow_ray);
-  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind};
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   const std::int32_t count =
       cross(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
             frame.database.root, area);
-  for (std::int32_t i = 0; i < count; ++i) {
-    if (area[i].distance > constant<Real>(0)) {
-      return area[i].distance > distance;
-    }
-  }
-  return true;
+  SurfaceIndex around = k_void;
+  const std::int32_t next = first_ahead(frame, query, area, count, around);
+  return next == count || area[next].distance > distance;
 }
 
 }  // namespace maquette::firmware

@@ -38,6 +38,7 @@ SurfaceIndex visible_surface(const Frame<Real>& frame, const Crossing<Real>& cro
 template <class Real>
 SurfacePoint<Real> surface_point(const Frame<Real>& frame, const RayQuery<Real>& query,
                                  const Crossing<Real>& crossing, SurfaceIndex before) {
+  const InFunction<Real> here(Function::points);
   const FacePoint<Real> settled = face_point(frame, query, crossing);
   SurfacePoint<Real> point;
   point.position = settled.position;

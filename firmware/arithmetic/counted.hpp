@@ -3,22 +3,16 @@
 #include <cstring>
 #include <limits>
 
+#include "firmware/arithmetic/counted_meter.hpp"
 #include "firmware/arithmetic/elementary.hpp"
 #include "firmware/arithmetic/real.hpp"
-#include "firmware/arithmetic/work.hpp"
 
 namespace maquette::firmware {
-
-/// What this host thread's `Counted` arithmetic has done so far. One meter per thread, because
-/// operators have no place for a parameter; read it with `counted_work`.
-///
-/// `add`, `subtract`, `multiply`, `divide` hold all operations here, those with a zero operand too.
-inline thread_local Work counted_meter{};
 
 template <>
 struct Meter<struct Counted> {
   static void charge(Operation operation, std::uint32_t count) {
-    counted_meter[operation] += count;
+    counted_meter.place(operation) += count;
   }
 };
 
@@ -40,7 +34,7 @@ inline std::uint32_t is_zero(float value) {
 }
 
 inline void count(Operation operation, std::uint32_t times = 1) {
-  counted_meter[operation] += times;
+  counted_meter.place(operation) += times;
 }
 
 }  // namespace counting
@@ -49,13 +43,13 @@ inline void count(Operation operation, std::uint32_t times = 1) {
 /// then below 5.4e-20, which is zero in the package's format.
 inline Counted operator+(Counted a, Counted b) {
   counting::count(Operation::add);
-  counted_meter[Operation::add_zero] += counting::is_zero(a.value * b.value);
+  counted_meter.place(Operation::add_zero) += counting::is_zero(a.value * b.value);
   return {a.value + b.value};
 }
 
 inline Counted operator-(Counted a, Counted b) {
   counting::count(Operation::subtract);
-  counted_meter[Operation::subtract_zero] += counting::is_zero(a.value * b.value);
+  counted_meter.place(Operation::subtract_zero) += counting::is_zero(a.value * b.value);
   return {a.value - b.value};
 }
 
@@ -64,13 +58,13 @@ inline Counted operator-(Counted a, Counted b) {
 inline Counted operator*(Counted a, Counted b) {
   const float product = a.value * b.value;
   counting::count(Operation::multiply);
-  counted_meter[Operation::multiply_zero] += counting::is_zero(product);
+  counted_meter.place(Operation::multiply_zero) += counting::is_zero(product);
   return {product};
 }
 
 inline Counted operator/(Counted a, Counted b) {
   counting::count(Operation::divide);
-  counted_meter[Operation::divide_zero] += counting::is_zero(a.value);
+  counted_meter.place(Operation::divide_zero) += counting::is_zero(a.value);
   return {a.value / b.value};
 }
 
@@ -131,18 +125,80 @@ inline Counted arc_cosine(Counted a) {
   return {arc_cosine(a.value)};
 }
 
-/// This thread's meter with operations on zero operands taken out of their general class.
-inline Work counted_work() {
-  Work work = counted_meter;
-  work[Operation::add] -= work[Operation::add_zero];
-  work[Operation::subtract] -= work[Operation::subtract_zero];
-  work[Operation::multiply] -= work[Operation::multiply_zero];
-  work[Operation::divide] -= work[Operation::divide_zero];
-  return work;
-}
+template <>
+struct InFunction<Counted> {
+  explicit InFunction(Function function) : before_(counted_meter.first) {
+    counted_meter.enter_function(static_cast<std::uint32_t>(function));
+  }
+  InFunction(const InFunction&) = delete;
+  InFunction& operator=(const InFunction&) = delete;
+  InFunction(InFunction&&) = delete;
+  InFunction& operator=(InFunction&&) = delete;
+  ~InFunction() { counted_meter.first = before_; }
+
+ private:
+  std::uint32_t before_;
+};
+
+template <>
+struct InRay<Counted> {
+  explicit InRay(RayKind kind) : before_(counted_meter.ray) {
+    counted_meter.enter_ray(static_cast<std::uint32_t>(kind));
+  }
+  InRay(const InRay&) = delete;
+  InRay& operator=(const InRay&) = delete;
+  InRay(InRay&&) = delete;
+  InRay& operator=(InRay&&) = delete;
+  ~InRay() { counted_meter.enter_ray(before_); }
+
+ private:
+  std::uint32_t before_;
+};
+
+template <>
+struct LightAsked<Counted> {
+  static void put(int light) { counted_meter.shadow_ray = shadow_of(light); }
+  static RayKind shadow_ray() { return counted_meter.shadow_ray; }
+};
+
+template <>
+struct WaitingRays<Counted> {
+  static void put(std::int32_t place, RayKind kind) {
+    counted_meter.waiting[static_cast<std::uint32_t>(place) % k_waiting_rays] = kind;
+  }
+  static RayKind at(std::int32_t place) {
+    return counted_meter.waiting[static_cast<std::uint32_t>(place) % k_waiting_rays];
+  }
+};
+
+template <>
+struct ExtentUse<Counted> {
+  static constexpr bool is_chosen = true;
+  bool tests_rectangles = true;
+  bool tests_boxes = true;
+  bool tests_spheres = true;
+  const std::uint32_t* leaves_below = nullptr;  ///< by node, where what is spared shall be told
+
+  void note(ExtentKind kind, std::uint32_t node, bool is_met) const {
+    ExtentCounts& counts = counted_meter.extents[static_cast<int>(kind)];
+    ++counts.tests;
+    if (is_met) {
+      ++counts.hits;
+    } else if (leaves_below != nullptr) {
+      counts.spared_leaves += leaves_below[node];
+    }
+  }
+  void note_entry(std::uint32_t node, const Counted& entry) const {
+    note(ExtentKind::box, node, entry.value < far_away<float>());
+  }
+};
+
+/// This thread's work since the last reset. Throughout, operations on zero operands are taken out
+/// of their general class.
+inline Work counted_work() { return general_apart(counted_meter.sum()); }
 
 /// Sets this thread's meter to zero.
-inline void reset_counted_work() { counted_meter = Work{}; }
+inline void reset_counted_work() { counted_meter.reset(); }
 
 }  // namespace maquette::firmware
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "firmware/arithmetic/function.hpp"
 #include "firmware/arithmetic/work.hpp"
 
 namespace maquette::firmware {

@@ -42,6 +42,11 @@ constexpr const Primitive<Real>& primitive_of(PrimitiveKind kind) {
   return k_primitives<Real>.rows[static_cast<int>(kind)];
 }
 
+/// The function that intersects rays with primitives of a kind.
+constexpr Function intersection_of(PrimitiveKind kind) {
+  return static_cast<Function>(k_fixed_function_count + static_cast<int>(kind));
+}
+
 /// The kind of the leaves of a primitive, e.g. kind_of<sphere::Kind>.
 template <class Kind>
 inline constexpr auto kind_of = static_cast<PrimitiveKind>(PlaceIn<Kind, Primitives>::k_value);

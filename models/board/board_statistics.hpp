@@ -16,6 +16,7 @@ struct BoardStatistics {
   Duration transfer{};       ///< bus granted, until released
   Duration idle{};           ///< after its last pixel
   Duration preprocessing{};  ///< of `compute`
+  Duration working{};        ///< of `compute`: work of the preprocessing and of its pixels
   Duration longest_wait{};   ///< for one grant
   Instant longest_wait_request{};
   std::optional<Instant> finished;  ///< end of its last work, when it has ended

@@ -17,7 +17,7 @@ DatabaseReader::DatabaseReader(std::int64_t cache_bytes, const SharedWindow& sha
 
 void DatabaseReader::compute(const firmware::Work& work) {
   const std::int64_t loads = cache_.misses(work[firmware::Operation::load]);
-  const Duration time = processor_.time_of(work, loads);
+  const Duration time = processor_.take_on(work, loads);
   if (loads == 0) {
     processor_.compute(time);
   } else {

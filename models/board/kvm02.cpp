@@ -190,7 +190,7 @@ void Kvm02::compute(const firmware::Work& work) {
   if (database_) {
     database_->compute(work);
   } else {
-    processor_.compute(processor_.time_of(work));
+    processor_.compute(processor_.take_on(work));
   }
 }
 

@@ -37,9 +37,12 @@ class Processor {
   }
   void compute(Clocks clocks) { compute(clock_.times(clocks)); }
 
-  /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus.
-  [[nodiscard]] Duration time_of(const firmware::Work& work, std::int64_t bus_loads = 0) const {
-    return cost_.duration(work, bus_loads);
+  /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus. It is to be
+  /// computed next.
+  [[nodiscard]] Duration take_on(const firmware::Work& work, std::int64_t bus_loads = 0) {
+    const Duration time = cost_.duration(work, bus_loads);
+    states_.working += time;
+    return time;
   }
   [[nodiscard]] const Period& clock() const { return clock_; }
 

@@ -6,6 +6,7 @@
 #include <unordered_map>
 
 #include "firmware/arithmetic/counted.hpp"
+#include "sim/database/extent_choice.hpp"
 #include "sim/database/needs.hpp"
 #include "sim/database/observer_packing.hpp"
 #include "sim/database/surface_packing.hpp"
@@ -208,6 +209,9 @@ PackedScene<Real> packed_scene(const Scene& scene, const PictureFormat& format) 
   if (!header.needs.shaped_lights) {
     packed.light_shapes.clear();
   }
+  packed.extents = scene.extents.value_or(Extents::all);
+  packed.leaves_below = leaves_below(tree);
+  choose_extents(packed.extents, header);
   return packed;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "firmware/database.hpp"
@@ -24,6 +25,8 @@ struct PackedScene {
   std::vector<std::uint8_t> texels;
   firmware::Database<Real> header{};  ///< all but the pointers
   int tree_height = 0;
+  Extents extents = Extents::all;           ///< where work is counted
+  std::vector<std::uint32_t> leaves_below;  ///< by node
 
   /// The database over these arrays; valid as long as they are neither moved nor changed.
   [[nodiscard]] firmware::Database<Real> database() const {
@@ -38,6 +41,9 @@ struct PackedScene {
     view.leaf_textures = leaf_textures.data();
     view.textures = textures.data();
     view.texels = texels.data();
+    if constexpr (firmware::ExtentUse<Real>::is_chosen) {
+      view.leaves_below = leaves_below.data();
+    }
     return view;
   }
 };

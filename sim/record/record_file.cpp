@@ -10,6 +10,7 @@
 
 #include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/exr_codec.hpp"
+#include "sim/report/function_statistics.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -19,6 +20,8 @@ constexpr const char* k_scene = "maquetteScene";
 constexpr const char* k_firmware = "maquetteFirmware";
 constexpr const char* k_zone = "maquetteUsefulZone";  // column, row, width, height
 constexpr const char* k_preprocessing = "maquettePreprocessing";
+constexpr const char* k_preprocessing_functions = "maquettePreprocessingFunctions";
+constexpr const char* k_pixel_functions = "maquettePixelFunctions";
 constexpr const char* k_has_depth = "maquetteHasDepth";  // 1 or 0
 constexpr std::array<const char*, 3> k_colours = {"R", "G", "B"};
 constexpr std::array<unsigned, 3> k_colour_shifts = {16, 8, 0};
@@ -80,6 +83,26 @@ bool split(std::string_view text, Numbers& numbers) {
   return place == end;
 }
 
+/// The numbers of a work by function; false when there are none.
+bool read_functions(const std::string& text, FunctionWork& work) {
+  std::vector<std::uint64_t> numbers(
+      text.empty() ? 0 : 1 + static_cast<std::size_t>(std::count(text.begin(), text.end(), ' ')));
+  return split(text, numbers) && read_numbers(numbers, work);
+}
+
+/// Channels of the functions in which any pixel has counted something.
+void append_functions(const RecordedFrame& frame, std::vector<ExrChannel>& channels) {
+  for (int function = 0; function < k_told_function_count; ++function) {
+    ExrChannel channel{"function." + function_name(function), ExrStorage::count, {}};
+    for (const FunctionCounts& counts : frame.functions) {
+      channel.values.push_back(counts[static_cast<std::size_t>(function)]);
+    }
+    if (std::any_of(channel.values.begin(), channel.values.end(), [](auto n) { return n != 0; })) {
+      channels.push_back(std::move(channel));
+    }
+  }
+}
+
 // A file has at least one pixel: without a useful zone it is a black one of no work.
 void set_data_window(const models::PixelRectangle& zone, ExrImage& image) {
   const bool is_empty = zone.pixels() == 0;
@@ -134,7 +157,10 @@ std::string read_header(const ExrImage& image, RecordedFrame& frame) {
                {image.width, image.height, image.attributes.at(k_has_depth) == "1"}};
   std::array<int, 4> zone{};
   if (frame.key.scene_sha1.empty() || !split(image.attributes.at(k_zone), zone) ||
-      !split(image.attributes.at(k_preprocessing), frame.preprocessing.counts)) {
+      !split(image.attributes.at(k_preprocessing), frame.preprocessing.counts) ||
+      !read_functions(image.attributes.at(k_preprocessing_functions),
+                      frame.by_function.preprocessing) ||
+      !read_functions(image.attributes.at(k_pixel_functions), frame.by_function.pixels)) {
     return "is no record of a frame";
   }
   frame.useful_zone = {zone[0], zone[1], zone[2], zone[3]};
@@ -177,13 +203,16 @@ std::string encode_record(const RecordedFrame& frame) {
   if (frame.pixels.empty()) {
     append({}, image.channels);
   }
+  append_functions(frame, image.channels);
   const models::PixelRectangle& zone = frame.useful_zone;
   image.attributes = {
       {k_scene, frame.key.scene_sha1},
       {k_firmware, frame.key.firmware},
       {k_has_depth, frame.key.format.has_depth ? "1" : "0"},
       {k_zone, joined(std::array{zone.column0, zone.row0, zone.width, zone.height})},
-      {k_preprocessing, joined(frame.preprocessing.counts)}};
+      {k_preprocessing, joined(frame.preprocessing.counts)},
+      {k_preprocessing_functions, joined(numbers_of(frame.by_function.preprocessing))},
+      {k_pixel_functions, joined(numbers_of(frame.by_function.pixels))}};
   std::string bytes;
   const std::string error = codec().encode(image, bytes);
   if (!error.empty()) {
@@ -195,8 +224,10 @@ std::string encode_record(const RecordedFrame& frame) {
 RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
   ExrImage image;
   image.channels = empty_channels();
-  image.attributes = {
-      {k_scene, {}}, {k_firmware, {}}, {k_has_depth, {}}, {k_zone, {}}, {k_preprocessing, {}}};
+  image.attributes = {{k_scene, {}},          {k_firmware, {}},
+                      {k_has_depth, {}},      {k_zone, {}},
+                      {k_preprocessing, {}},  {k_preprocessing_functions, {}},
+                      {k_pixel_functions, {}}};
   RecordedFrame frame;
   std::string error = codec().decode(bytes, image);
   if (error.empty()) {

@@ -40,8 +40,12 @@ std::vector<unsigned char> scene_image(const firmware::Database<float>& database
 
 }  // namespace
 
-RecordKey record_key_of(const firmware::Database<float>& database) {
-  const std::vector<unsigned char> image = scene_image(database);
+RecordKey record_key_of(const PackedScene<float>& scene) {
+  const firmware::Database<float> database = scene.database();
+  std::vector<unsigned char> image = scene_image(database);
+  if (scene.extents != Extents::all) {
+    image.push_back(static_cast<unsigned char>(scene.extents));
+  }
   return {sha1_of(image.data(), image.size()),
           firmware::k_firmware_version,
           {database.observer.columns, database.observer.rows, database.needs.depth}};

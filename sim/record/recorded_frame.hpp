@@ -8,6 +8,7 @@
 #include "models/board/allotment.hpp"
 #include "models/board/pixel_source.hpp"
 #include "sim/database/packed_scene.hpp"
+#include "sim/record/function_work.hpp"
 
 namespace maquette::sim {
 
@@ -27,7 +28,9 @@ struct RecordedFrame {
   RecordKey key;
   models::PixelRectangle useful_zone;
   firmware::Work preprocessing{};
+  FrameWork by_function;
   std::vector<models::SynthesizedPixel> pixels;  ///< row-major in the useful zone
+  std::vector<FunctionCounts> functions;         ///< of each pixel, for the eye; not read back
 
   /// The pixel at a position of the useful zone.
   [[nodiscard]] const models::SynthesizedPixel& at(const models::PixelPosition& position) const {
@@ -38,6 +41,6 @@ struct RecordedFrame {
 };
 
 /// The key of a scene as this program's firmware would synthesise it.
-RecordKey record_key_of(const firmware::Database<float>& database);
+RecordKey record_key_of(const PackedScene<float>& scene);
 
 }  // namespace maquette::sim

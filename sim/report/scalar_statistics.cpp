@@ -65,6 +65,12 @@ class Lister {
     }
   }
 
+  void list(const ScalarStatistic& declared, const FunctionTimes& times) {
+    for (std::size_t i = 0; i < times.values.size(); ++i) {
+      add(declared, "." + function_name(static_cast<int>(i)), text_of(times.values[i]));
+    }
+  }
+
   template <typename Element>
   void list(const ScalarStatistic& declared, const std::vector<Element>& elements) {
     if constexpr (k_has_fields<Element>) {

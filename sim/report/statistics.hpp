@@ -1,50 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <vector>
 
-#include "firmware/arithmetic/work.hpp"
 #include "models/bus/duration.hpp"
+#include "sim/report/function_statistics.hpp"
+#include "sim/report/statistics_field.hpp"
 
 namespace maquette::sim {
-
-/// The one declaration of a statistic: key in stats.json (times end in _s), unit, meaning, place.
-/// Writer, reader and documentation walk these declarations and know no statistic by name.
-template <typename Owner, typename Value>
-struct Field {
-  const char* name;
-  const char* unit;  ///< "s", "pixels", "1" for a ratio, "" for a text or a group
-  const char* description;
-  Value Owner::*member;
-};
-
-template <typename Owner, typename Value>
-constexpr Field<Owner, Value> field(const char* name, const char* unit, const char* description,
-                                    Value Owner::*member) {
-  return {name, unit, description, member};
-}
-
-/// Whether a type declares fields of its own.
-template <typename Type, typename = void>
-inline constexpr bool k_has_fields = false;
-template <typename Type>
-inline constexpr bool k_has_fields<Type, std::void_t<decltype(Type::fields())>> = true;
-
-/// Calls `action` with each field of `Owner`, in the order of their declaration.
-template <typename Owner, typename Action>
-void for_each_field(Action&& action) {
-  std::apply([&action](const auto&... fields) { (action(fields), ...); }, Owner::fields());
-}
-
-/// A number per operation class, keyed by firmware::k_operation_names.
-template <typename Number>
-using PerOperation = std::array<Number, firmware::k_operation_count>;
-using OperationCounts = PerOperation<std::uint64_t>;
-using OperationClocks = PerOperation<double>;
 
 struct FrameStatistics {
   int width = 0;
@@ -324,6 +288,8 @@ struct Statistics {
   OperationCounts work{};
   OperationCounts preprocess_work{};
   CostStatistics costs;
+  FunctionStatistics functions;
+  ExtentStatistics extents;
   bool partial = false;
   std::string end_reason;
 
@@ -337,7 +303,8 @@ struct Statistics {
         field("work", "operations", "of all pixels, per operation class", &Self::work),
         field("preprocess_work", "operations", "of each board, per operation class",
               &Self::preprocess_work),
-        field("costs", "", "", &Self::costs),
+        field("costs", "", "", &Self::costs), field("functions", "", "", &Self::functions),
+        field("extents", "", "", &Self::extents),
         field("partial", "", "whether the run ended before its last pixel", &Self::partial),
         field("end_reason", "", "why the run ended", &Self::end_reason));
   }

@@ -47,6 +47,15 @@ class Writer {
     close('}');
   }
 
+  void write(const FunctionTimes& times) {
+    open('{');
+    for (std::size_t i = 0; i < times.values.size(); ++i) {
+      key(function_name(static_cast<int>(i)).c_str());
+      write(times.values[i]);
+    }
+    close('}');
+  }
+
   template <typename Element>
   void write(const std::vector<Element>& elements) {
     open('[');
@@ -140,6 +149,12 @@ class Reader {
   void read(const std::string& path, PerOperation<Number>& numbers) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
       read(joined(path, firmware::k_operation_names[i]), numbers[i]);
+    }
+  }
+
+  void read(const std::string& path, FunctionTimes& times) {
+    for (std::size_t i = 0; i < times.values.size(); ++i) {
+      read(joined(path, function_name(static_cast<int>(i)).c_str()), times.values[i]);
     }
   }
 

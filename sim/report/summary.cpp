@@ -129,6 +129,34 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
   return text;
 }
 
+/// Functions by the time they took, then kinds of rays; nothing where it is not known.
+std::string function_lines(const FunctionStatistics& functions) {
+  if (functions.time == models::Duration::zero()) {
+    return "";
+  }
+  std::string text = fmt::format("\n{:<28}{:>12}{:>12}\n", "function", "time s", "of work");
+  const auto line = [&](const std::string& name, models::Duration time) {
+    if (time > models::Duration::zero()) {
+      text += fmt::format("{:<28}{:>12.4f}{:>11.2f}%\n", name, in_seconds(time),
+                          100 * ratio(in_seconds(time), in_seconds(functions.time)));
+    }
+  };
+  const auto& times = functions.by_function.values;
+  std::vector<int> order(times.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&times](int first, int second) {
+    return times[static_cast<std::size_t>(first)] > times[static_cast<std::size_t>(second)];
+  });
+  for (const int function : order) {
+    line(function_name(function), times[static_cast<std::size_t>(function)]);
+  }
+  for_each_field<RayTimes>([&](const auto& ray) {
+    line(std::string{"in "} + ray.name + (ray.member == &RayTimes::preprocessing ? "" : " rays"),
+         functions.by_ray.*ray.member);
+  });
+  return text;
+}
+
 }  // namespace
 
 std::string summarise(const Statistics& statistics, const std::string& times_from,
@@ -136,7 +164,7 @@ std::string summarise(const Statistics& statistics, const std::string& times_fro
   return frame_lines(statistics, paper_time) +
          fmt::format("times           from {}\n", times_from) + board_lines(statistics) +
          bus_lines(statistics.bus) + ray_lines(statistics) +
-         work_lines(statistics.work, clocks_of(statistics)) +
+         work_lines(statistics.work, clocks_of(statistics)) + function_lines(statistics.functions) +
          fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
                      host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));
 }

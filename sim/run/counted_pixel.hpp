@@ -7,11 +7,10 @@
 
 namespace maquette::sim {
 
-/// A pixel by the native firmware, which counts its work.
-inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Counted>& frame,
-                                              const firmware::WorkArea<firmware::Counted>& area,
-                                              const models::PixelPosition& position) {
-  firmware::reset_counted_work();
+/// A pixel by the native firmware, whose work stays on this thread's meter.
+inline models::SynthesizedPixel pixel_without_work(
+    const firmware::Frame<firmware::Counted>& frame,
+    const firmware::WorkArea<firmware::Counted>& area, const models::PixelPosition& position) {
   const firmware::Pixel pixel =
       firmware::synthesize(frame, area, static_cast<std::int16_t>(position.column),
                            static_cast<std::int16_t>(position.row));
@@ -20,7 +19,17 @@ inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Co
           pixel.depth,
           pixel.rgb,
           pixel.rays,
-          firmware::counted_work()};
+          {}};
+}
+
+/// A pixel by the native firmware, which counts its work.
+inline models::SynthesizedPixel counted_pixel(const firmware::Frame<firmware::Counted>& frame,
+                                              const firmware::WorkArea<firmware::Counted>& area,
+                                              const models::PixelPosition& position) {
+  firmware::reset_counted_work();
+  models::SynthesizedPixel pixel = pixel_without_work(frame, area, position);
+  pixel.work = firmware::counted_work();
+  return pixel;
 }
 
 /// The pixels of a frame that the firmware synthesises.

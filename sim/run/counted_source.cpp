@@ -7,7 +7,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "sim/run/counted_pixel.hpp"
+#include "sim/run/pixel_run.hpp"
 
 namespace maquette::sim {
 
@@ -27,6 +27,7 @@ CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const 
   firmware::reset_counted_work();
   scene_ = std::make_unique<PreparedScene<firmware::Counted>>(scene);
   preprocessing_ = firmware::counted_work();
+  preprocessing_by_function_.add(firmware::counted_meter);
   const models::MachineParameters& parameters = machine.parameters;
   allotment_ = std::make_unique<models::PixelAllotment>(parameters.allotment, useful_zone(),
                                                         static_cast<int>(parameters.boards.size()));
@@ -56,7 +57,7 @@ const models::SynthesizedPixel& CountedSource::pixel(std::int64_t index) {
 /// Makes a block ready; several threads share it and those after it that wait, one by one.
 void CountedSource::synthesise_from(std::size_t first) {
   if (threads_ == 1) {
-    synthesise(first, areas_.local());
+    synthesise(first);
     return;
   }
   std::vector<std::size_t> waiting;
@@ -74,7 +75,7 @@ void CountedSource::synthesise_from(std::size_t first) {
                       [&](const tbb::blocked_range<std::size_t>& range) {
                         static_cast<void>(done.load(std::memory_order_acquire));
                         for (std::size_t i = range.begin(); i != range.end(); ++i) {
-                          synthesise(waiting[i], areas_.local());
+                          synthesise(waiting[i]);
                         }
                         done.fetch_add(range.size(), std::memory_order_release);
                       });
@@ -84,14 +85,23 @@ void CountedSource::synthesise_from(std::size_t first) {
   }
 }
 
-void CountedSource::synthesise(std::size_t block, Area& area) {
-  const firmware::WorkArea<firmware::Counted> view = area.view();
+void CountedSource::synthesise(std::size_t block) {
+  const firmware::WorkArea<firmware::Counted> view = areas_.local().view();
+  PixelRun run(by_function_.local());
   std::vector<models::SynthesizedPixel>& pixels = blocks_[block].pixels;
   pixels.resize(static_cast<std::size_t>(blocks_[block].left));
   std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
   for (models::SynthesizedPixel& synthesised : pixels) {
-    synthesised = counted_pixel(frame(), view, allotment_->position(index++));
+    synthesised = run.pixel(frame(), view, allotment_->position(index++));
   }
+}
+
+FrameWork CountedSource::work_by_function() const {
+  FrameWork work{preprocessing_by_function_, {}};
+  for (const FunctionWork& of_thread : by_function_) {
+    work.pixels.add(of_thread);
+  }
+  return work;
 }
 
 }  // namespace maquette::sim

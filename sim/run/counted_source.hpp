@@ -9,21 +9,22 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "models/board/allotment.hpp"
-#include "models/board/pixel_source.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/machine/machine.hpp"
+#include "sim/run/frame_source.hpp"
 
 namespace maquette::sim {
 
 /// Pixels from the native firmware, which counts its work. With several host threads it synthesises
 /// ahead of simulated time; pixels do not depend on one another, so their number changes nothing.
-class CountedSource : public models::PixelSource {
+class CountedSource : public FrameSource {
  public:
   /// `threads` is at least 1.
   CountedSource(const PackedScene<firmware::Counted>& scene, const Machine& machine, int threads);
 
   const models::SynthesizedPixel& pixel(std::int64_t index) override;
   [[nodiscard]] firmware::Work preprocessing() const override { return preprocessing_; }
+  [[nodiscard]] FrameWork work_by_function() const override;
 
   [[nodiscard]] models::PixelRectangle useful_zone() const;
   [[nodiscard]] const firmware::Frame<firmware::Counted>& frame() const { return scene_->frame(); }
@@ -40,9 +41,10 @@ class CountedSource : public models::PixelSource {
   };
 
   void synthesise_from(std::size_t first);
-  void synthesise(std::size_t block, Area& area);
+  void synthesise(std::size_t block);
 
   firmware::Work preprocessing_{};
+  FunctionWork preprocessing_by_function_;
   std::unique_ptr<PreparedScene<firmware::Counted>> scene_;
   std::unique_ptr<models::PixelAllotment> allotment_;
   std::vector<Block> blocks_;
@@ -50,6 +52,7 @@ class CountedSource : public models::PixelSource {
   int threads_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Area> areas_;
+  tbb::enumerable_thread_specific<FunctionWork> by_function_;
 };
 
 }  // namespace maquette::sim

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "models/board/allotment.hpp"
-#include "models/board/pixel_source.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
+#include "sim/run/frame_source.hpp"
 #include "sim/scene/scene.hpp"
 
 namespace maquette::sim {
@@ -13,7 +13,7 @@ namespace maquette::sim {
 /// Where the pixels of a run come from.
 struct FramePixels {
   std::unique_ptr<RecordedFrame> record;  ///< made for this run, if it was
-  std::unique_ptr<models::PixelSource> source;
+  std::unique_ptr<FrameSource> source;
   models::PixelRectangle zone;  ///< the useful one
 };
 

@@ -6,7 +6,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "sim/database/prepared_scene.hpp"
-#include "sim/run/counted_pixel.hpp"
+#include "sim/run/pixel_run.hpp"
 
 namespace maquette::sim {
 
@@ -15,38 +15,54 @@ namespace {
 using Area = SynthesisArea<firmware::Counted>;
 
 void record_row(const firmware::Frame<firmware::Counted>& frame, Area& area, int row,
-                RecordedFrame& record) {
+                RecordedFrame& record, FunctionWork& by_function) {
+  PixelRun run(by_function);
   const firmware::WorkArea<firmware::Counted> view = area.view();
   const models::PixelRectangle& zone = record.useful_zone;
-  auto* pixel = record.pixels.data() +
-                static_cast<std::ptrdiff_t>(row) * static_cast<std::ptrdiff_t>(zone.width);
+  const auto place = [&](int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(zone.width) +
+           static_cast<std::size_t>(column);
+  };
   for (int column = 0; column < zone.width; ++column) {
-    *pixel++ = counted_pixel(frame, view, {zone.column0 + column, zone.row0 + row});
+    record.pixels[place(column)] = run.pixel(frame, view, {zone.column0 + column, zone.row0 + row});
+    if (!record.functions.empty()) {
+      record.functions[place(column)] = function_counts(firmware::counted_meter);
+      run.settle();
+    }
   }
 }
 
 }  // namespace
 
-RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads) {
+RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads,
+                           FunctionsOfPixels functions) {
   RecordedFrame record;
-  record.key = record_key_of(packed_scene<float>(scene, format).database());
+  record.key = record_key_of(packed_scene<float>(scene, format));
   firmware::reset_counted_work();
   const PreparedScene<firmware::Counted> prepared(packed_scene<firmware::Counted>(scene, format));
   record.preprocessing = firmware::counted_work();
+  record.by_function.preprocessing.add(firmware::counted_meter);
   const firmware::Frame<firmware::Counted>& frame = prepared.frame();
   record.useful_zone = useful_zone_of(frame);
   record.pixels.resize(static_cast<std::size_t>(record.useful_zone.pixels()));
+  if (functions == FunctionsOfPixels::told) {
+    record.functions.resize(record.pixels.size());
+  }
 
   tbb::task_arena arena(threads);
   tbb::enumerable_thread_specific<Area> areas([&frame] { return Area(frame.database); });
+  tbb::enumerable_thread_specific<FunctionWork> by_function;
   arena.execute([&] {
     tbb::parallel_for(tbb::blocked_range<int>(0, record.useful_zone.height),
                       [&](const tbb::blocked_range<int>& rows) {
                         for (int row = rows.begin(); row != rows.end(); ++row) {
-                          record_row(frame, areas.local(), row, record);
+                          record_row(frame, areas.local(), row, record, by_function.local());
                         }
                       });
   });
+  for (const FunctionWork& of_thread : by_function) {
+    record.by_function.pixels.add(of_thread);
+  }
   return record;
 }
 

@@ -6,8 +6,12 @@
 
 namespace maquette::sim {
 
+/// Whether a record tells of each pixel what its functions counted.
+enum class FunctionsOfPixels { untold, told };
+
 /// Synthesises every pixel of a scene's useful zone by the native firmware, on `threads` threads of
 /// the host (at least 1), whose number changes nothing.
-RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads);
+RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads,
+                           FunctionsOfPixels functions = FunctionsOfPixels::untold);
 
 }  // namespace maquette::sim

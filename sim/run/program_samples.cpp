@@ -25,8 +25,10 @@ Machine sample_machine(const Machine& machine) {
 }
 
 std::vector<CostSample> program_samples(const Scene& scene, const Machine& machine) {
+  Scene executed = scene;
+  executed.extents.reset();  // the program compares with all
   const PreparedScene<firmware::Counted> prepared(
-      packed_scene<firmware::Counted>(scene, picture_format_of(machine)));
+      packed_scene<firmware::Counted>(executed, picture_format_of(machine)));
   SynthesisArea<firmware::Counted> area(prepared.frame().database);
   const std::int64_t share = useful_zone_of(prepared.frame()).pixels() / k_wanted_pixels;
   std::vector<CostSample> samples;

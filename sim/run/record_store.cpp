@@ -7,7 +7,7 @@
 namespace maquette::sim {
 
 RecordKey record_key_of(const Scene& scene, const Machine& machine) {
-  return record_key_of(packed_scene<float>(scene, picture_format_of(machine)).database());
+  return record_key_of(packed_scene<float>(scene, picture_format_of(machine)));
 }
 
 RecordedFrame load_record(const std::filesystem::path& file, const RecordKey& wanted) {
@@ -33,7 +33,8 @@ RecordedFrame record_of(const Scene& scene, const Machine& machine,
   if (std::filesystem::exists(file)) {
     return load_record(file, key);
   }
-  RecordedFrame record = record_frame(scene, picture_format_of(machine), threads);
+  RecordedFrame record =
+      record_frame(scene, picture_format_of(machine), threads, FunctionsOfPixels::told);
   save_record(file, record);
   return record;
 }

@@ -19,6 +19,7 @@
 #include "sim/run/bus_recorder.hpp"
 #include "sim/run/frame_pixels.hpp"
 #include "sim/run/frame_statistics.hpp"
+#include "sim/run/function_times.hpp"
 #include "sim/run/line_recorder.hpp"
 #include "sim/run/time_forecast.hpp"
 #include "sim/run/video_recorder.hpp"
@@ -127,8 +128,25 @@ CostStatistics cost_statistics(const Machine& machine, bool executed,
   return costs;
 }
 
+/// Where the time went, as far as it is known.
+void add_functions(const models::CcettMachine& model, const Machine& machine,
+                   const SimulationRequest& request, const FrameSource& source,
+                   Statistics& statistics) {
+  if (!model.finished()) {
+    statistics.functions.from = "absent: the run was interrupted";
+    return;
+  }
+  const FrameWork work = source.work_by_function();
+  statistics.extents = extent_statistics(work);
+  if (request.executed) {
+    statistics.functions.from = "absent: boards execute their program";
+    return;
+  }
+  statistics.functions = function_statistics(model.statistics(), machine, work);
+}
+
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
-                                   models::PixelSource& source, const models::FrameSetup& setup,
+                                   FrameSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
   models::require_unique_names();
   models::CcettMachine model("machine", machine.parameters, source, setup);
@@ -154,6 +172,7 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   }
   result.statistics =
       frame_statistics(model.statistics(), machine, setup.useful_zone, source.preprocessing());
+  add_functions(model, machine, request, source, result.statistics);
   if (request.picture) {
     result.picture = model.frame_memory().picture();
     if (picture_format_of(machine).has_depth) {
@@ -183,8 +202,18 @@ void check_fit(const Scene& scene, const Machine& machine) {
 
 namespace {
 
+/// The program of boards compares rays with all extents.
+void check_extents(const Scene& scene, const SimulationRequest& request) {
+  if (request.executed && scene.extents.value_or(Extents::all) != Extents::all) {
+    throw DescriptionError(
+        "extents: boards that execute their program compare rays with all; allowed: all, or a "
+        "processor whose work is counted");
+  }
+}
+
 SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
                                   const SimulationRequest& request, const Continue& go_on) {
+  check_extents(scene, request);
   const auto packed = packed_scene<float>(scene, picture_format_of(machine));
   const MemoryMap map = checked_map(scene, machine, packed);
   const Machine roomy = with_room(machine, map);

@@ -144,6 +144,9 @@ struct Sequence {
   std::vector<SequenceTrack> tracks;
 };
 
+/// The kinds of extents that rays are compared with.
+enum class Extents { all, none, rectangles, boxes, spheres };
+
 /// A checked scene: every name resolves, every value is in its range.
 struct Scene {
   std::string name;
@@ -157,6 +160,7 @@ struct Scene {
   Roots roots;
   std::optional<Samples> samples;
   std::optional<Sequence> sequence;
+  std::optional<Extents> extents;  ///< all when it is not said
   bool shadows = true;
   Object object;
 };

@@ -138,6 +138,7 @@ std::vector<ParameterRow> list_parameters(const Scene& scene) {
   Scene plain;  // without the object tree, which is large
   plain.name = scene.name;
   plain.paper_time = scene.paper_time;
+  plain.extents = scene.extents;
   plain.view = scene.view;
   plain.ambient = scene.ambient;
   plain.background = scene.background;

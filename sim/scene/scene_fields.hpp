@@ -225,11 +225,21 @@ void declare_paper_time(Visitor& visitor, Scene& scene) {
   }
 }
 
+inline ChoiceType<Extents> extents_choices() {
+  return {{{"all", Extents::all},
+           {"none", Extents::none},
+           {"rectangles", Extents::rectangles},
+           {"boxes", Extents::boxes},
+           {"spheres", Extents::spheres}}};
+}
+
 /// Lights, surfaces and the object tree come besides: they are named or nested.
 template <class Visitor>
 void declare_scene(Visitor& visitor, Scene& scene) {
   visitor.field({"name", "of the scene"}, scene.name, TextType{});
   declare_paper_time(visitor, scene);
+  visitor.field({"extents", "that rays are compared with, all if not said; for counted work alone"},
+                scene.extents, extents_choices());
   visitor.group(required("view", "the observer"), [&] { declare_view(visitor, scene.view); });
   visitor.field({"ambient", "uniform light from everywhere: red, green, blue"}, scene.ambient,
                 k_intensity);

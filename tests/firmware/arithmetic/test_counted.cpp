@@ -165,5 +165,57 @@ TEST_CASE("Every thread counts for itself") {
   CHECK(is_exactly(counted_work(), {{Operation::add, 1}}));
 }
 
+/// The counts of a cell of this thread's meter.
+Work in_cell(RayKind ray, Function function) {
+  Work work{};
+  const std::uint32_t wanted =
+      static_cast<std::uint32_t>(ray) * k_function_count + static_cast<std::uint32_t>(function);
+  counted_meter.for_each_cell([&](std::uint32_t cell, const std::uint32_t* counts) {
+    if (cell == wanted) {
+      std::memcpy(work.counts, counts, sizeof work.counts);
+    }
+  });
+  return work;
+}
+
+TEST_CASE("Work belongs to the innermost function and ray in whose block it is done") {
+  reset_counted_work();
+  const Counted a = 2.0F;
+  {
+    const InFunction<Counted> outer(Function::photometry);
+    use(a + a);
+    {
+      const InRay<Counted> ray(shadow_of(1));
+      const InFunction<Counted> inner(Function::extents);
+      use(a * a);
+    }
+    use(a - a);
+  }
+  use(a / a);
+  CHECK(is_exactly(in_cell(RayKind::primary, Function::photometry),
+                   {{Operation::add, 1}, {Operation::subtract, 1}}));
+  CHECK(is_exactly(in_cell(shadow_of(1), Function::extents), {{Operation::multiply, 1}}));
+  CHECK(is_exactly(in_cell(RayKind::primary, Function::pixel), {{Operation::divide, 1}}));
+  CHECK(is_exactly(counted_work(), {{Operation::add, 1},
+                                    {Operation::subtract, 1},
+                                    {Operation::multiply, 1},
+                                    {Operation::divide, 1}}));
+}
+
+TEST_CASE("A reset empties every cell, and lights without an own place share the last") {
+  reset_counted_work();
+  const Counted a = 2.0F;
+  for (int light = 0; light < 2 * k_told_lights; ++light) {
+    const InRay<Counted> ray(shadow_of(light));
+    use(a + a);
+  }
+  CHECK(is_exactly(in_cell(shadow_of(0), Function::pixel), {{Operation::add, 1}}));
+  CHECK(is_exactly(in_cell(shadow_of(k_told_lights), Function::pixel),
+                   {{Operation::add, 1 + k_told_lights}}));
+  reset_counted_work();
+  CHECK(is_exactly(counted_work(), {}));
+  CHECK(is_exactly(in_cell(shadow_of(0), Function::pixel), {}));
+}
+
 }  // namespace
 }  // namespace maquette::firmware

@@ -38,6 +38,16 @@ SynthesizedPixel random_pixel(std::mt19937& random) {
   return pixel;
 }
 
+void randomise(std::mt19937& random, maquette::sim::FunctionWork& work) {
+  for (int i = 0; i < 50; ++i) {
+    auto& cell = work.cells[random() % work.cells.size()];
+    cell[random() % cell.size()] = std::uint64_t{random_count(random)} << (random() % 32);
+  }
+  for (auto& counts : work.extents) {
+    counts = {random_count(random), random_count(random), random_count(random)};
+  }
+}
+
 RecordedFrame random_frame(std::mt19937& random) {
   RecordedFrame frame;
   const auto number = [&random](int end) { return static_cast<int>(random() % unsigned(end)); };
@@ -51,6 +61,8 @@ RecordedFrame random_frame(std::mt19937& random) {
   for (std::uint32_t& count : frame.preprocessing.counts) {
     count = random_count(random);
   }
+  randomise(random, frame.by_function.preprocessing);
+  randomise(random, frame.by_function.pixels);
   for (int row = 0; row < zone.height; ++row) {
     for (int column = 0; column < zone.width; ++column) {
       frame.pixels.push_back(random_pixel(random));
@@ -67,10 +79,16 @@ bool are_equal(const SynthesizedPixel& a, const SynthesizedPixel& b) {
          std::memcmp(&a.work, &b.work, sizeof a.work) == 0;
 }
 
+bool are_equal(const maquette::sim::FunctionWork& a, const maquette::sim::FunctionWork& b) {
+  return a.cells == b.cells && std::memcmp(&a.extents, &b.extents, sizeof a.extents) == 0;
+}
+
 bool are_equal(const RecordedFrame& a, const RecordedFrame& b) {
   bool equal = a.key.name() == b.key.name() && a.pixels.size() == b.pixels.size() &&
                std::memcmp(&a.useful_zone, &b.useful_zone, sizeof a.useful_zone) == 0 &&
-               std::memcmp(&a.preprocessing, &b.preprocessing, sizeof a.preprocessing) == 0;
+               std::memcmp(&a.preprocessing, &b.preprocessing, sizeof a.preprocessing) == 0 &&
+               are_equal(a.by_function.preprocessing, b.by_function.preprocessing) &&
+               are_equal(a.by_function.pixels, b.by_function.pixels);
   for (std::size_t i = 0; equal && i < a.pixels.size(); ++i) {
     equal = are_equal(a.pixels[i], b.pixels[i]);
   }

@@ -29,6 +29,11 @@ void randomise(std::mt19937_64& random, sim::PerOperation<Number>& numbers) {
     number = static_cast<Number>(random() >> (random() % 64));
   }
 }
+inline void randomise(std::mt19937_64& random, sim::FunctionTimes& times) {
+  for (models::Duration& time : times.values) {
+    randomise(random, time);
+  }
+}
 template <typename Group>
 std::enable_if_t<sim::k_has_fields<Group>> randomise(std::mt19937_64& random, Group& group);
 

@@ -59,8 +59,8 @@ TEST_CASE("stats.json is JSON with the keys that other programs rely on") {
     keys.push_back(item.key());
   }
   CHECK(keys == std::vector<std::string>{"frame", "useful_zone", "boards", "bus", "rays", "roots",
-                                         "work", "preprocess_work", "costs", "partial",
-                                         "end_reason"});
+                                         "work", "preprocess_work", "costs", "functions", "extents",
+                                         "partial", "end_reason"});
   for (const char* key : {"width", "height", "time_s", "load_s", "preprocess_s", "synthesis_s",
                           "pixels_total", "pixels_synthesised"}) {
     CHECK(json["frame"].contains(key));

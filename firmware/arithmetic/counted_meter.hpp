@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/arithmetic/extent_use.hpp"
+#include "firmware/arithmetic/function.hpp"
+#include "firmware/arithmetic/work.hpp"
+
+/// Where `Counted` counts: by kind of ray and function, each pair of which is a cell.
+namespace maquette::firmware {
+
+/// So many kinds of primitives have a place, as k_primitive_kind_limit says.
+inline constexpr std::uint32_t k_metered_primitives = 32;
+inline constexpr std::uint32_t k_function_count = k_fixed_function_count + k_metered_primitives;
+inline constexpr std::uint32_t k_ray_kind_count =
+    static_cast<std::uint32_t>(RayKind::shadow) + k_told_lights;
+inline constexpr std::uint32_t k_cell_count = k_ray_kind_count * k_function_count;
+
+/// More rays never wait at once: scenes have at most 1000 in a row.
+inline constexpr std::uint32_t k_waiting_rays = 1024;
+
+/// What a host thread's `Counted` arithmetic has done since the last reset. Here `add`, `subtract`,
+/// `multiply`, `divide` hold all operations, those with a zero operand too.
+struct CountedMeter {
+  std::uint32_t counts[k_cell_count * k_operation_count];
+  std::uint32_t first;                      ///< of the counts of the present cell
+  std::uint32_t first_of_ray;               ///< of the counts of the present kind of ray
+  std::uint32_t ray;                        ///< that RayKind
+  std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
+  RayKind shadow_ray;                       ///< towards the light that was asked last
+  RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
+  ExtentCounts extents[k_extent_kind_count];
+
+  std::uint32_t& place(Operation operation) {
+    return counts[first + static_cast<std::uint32_t>(operation)];
+  }
+
+  void enter_function(std::uint32_t function) {
+    first = first_of_ray + function * k_operation_count;
+    entered[ray] |= std::uint64_t{1} << function;
+  }
+
+  /// In the function as it is.
+  void enter_ray(std::uint32_t kind) {
+    const std::uint32_t in_ray = first - first_of_ray;
+    ray = kind;
+    first_of_ray = kind * k_function_count * k_operation_count;
+    first = first_of_ray + in_ray;
+    entered[kind] |= std::uint64_t{1} << (in_ray / k_operation_count);
+  }
+
+  /// Calls `visit(cell, counts)` for each cell that may have been counted in.
+  template <class Visit>
+  void for_each_cell(Visit visit) {
+    for (std::uint32_t kind = 0; kind < k_ray_kind_count; ++kind) {
+      // The cell outside of every function is never entered.
+      std::uint64_t left = entered[kind] | static_cast<std::uint64_t>(kind == 0);
+      for (; left != 0; left &= left - 1) {
+        const std::uint32_t cell =
+            kind * k_function_count + static_cast<std::uint32_t>(__builtin_ctzll(left));
+        visit(cell, counts + cell * k_operation_count);
+      }
+    }
+  }
+
+  [[nodiscard]] Work sum() {
+    Work sum{};
+    for_each_cell([&sum](std::uint32_t /*cell*/, const std::uint32_t* cell_counts) {
+      for (int i = 0; i < k_operation_count; ++i) {
+        sum.counts[i] += cell_counts[i];
+      }
+    });
+    return sum;
+  }
+
+  /// Outside of every function.
+  void reset() {
+    for_each_cell([](std::uint32_t /*cell*/, std::uint32_t* cell_counts) {
+      for (int i = 0; i < k_operation_count; ++i) {
+        cell_counts[i] = 0;
+      }
+    });
+    for (std::uint64_t& functions : entered) {
+      functions = 0;
+    }
+    for (ExtentCounts& extent : extents) {
+      extent = {};
+    }
+  }
+};
+
+static_assert(k_function_count <= 64);
+
+/// One meter per thread, because operators have no place for a parameter; read it with
+/// `counted_work`.
+inline thread_local CountedMeter counted_meter{};
+
+/// `counts` with operations on zero operands taken out of their general class.
+template <class Counts>
+Counts general_apart(Counts counts) {
+  counts[Operation::add] -= counts[Operation::add_zero];
+  counts[Operation::subtract] -= counts[Operation::subtract_zero];
+  counts[Operation::multiply] -= counts[Operation::multiply_zero];
+  counts[Operation::divide] -= counts[Operation::divide_zero];
+  return counts;
+}
+
+}  // namespace maquette::firmware

@@ -1,0 +1,102 @@
+#include "sim/record/function_work.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "firmware/arithmetic/work.hpp"
+
+namespace maquette::sim {
+
+namespace {
+
+void add(const firmware::ExtentCounts& counts, firmware::ExtentCounts& sum) {
+  sum.tests += counts.tests;
+  sum.hits += counts.hits;
+  sum.spared_leaves += counts.spared_leaves;
+}
+
+}  // namespace
+
+void FunctionWork::add(firmware::CountedMeter& meter) {
+  meter.for_each_cell([this](std::uint32_t cell, const std::uint32_t* counts) {
+    firmware::Work work{};
+    std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
+    work = firmware::general_apart(work);
+    for (std::size_t i = 0; i < cells[cell].size(); ++i) {
+      cells[cell][i] += work.counts[i];
+    }
+  });
+  for (std::size_t kind = 0; kind < extents.size(); ++kind) {
+    sim::add(meter.extents[kind], extents[kind]);
+  }
+}
+
+void FunctionWork::add(const FunctionWork& other) {
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    for (std::size_t i = 0; i < cells[cell].size(); ++i) {
+      cells[cell][i] += other.cells[cell][i];
+    }
+  }
+  for (std::size_t kind = 0; kind < extents.size(); ++kind) {
+    sim::add(other.extents[kind], extents[kind]);
+  }
+}
+
+namespace {
+
+/// Calls `visit` with each number of the work, in order.
+template <class Work, class Visit>
+void for_each_number(Work& work, Visit visit) {
+  for (auto& counts : work.extents) {
+    visit(counts.tests);
+    visit(counts.hits);
+    visit(counts.spared_leaves);
+  }
+  for (auto& cell : work.cells) {
+    for (auto& count : cell) {
+      visit(count);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> numbers_of(const FunctionWork& work) {
+  std::vector<std::uint64_t> numbers;
+  std::uint64_t place = 0;
+  for_each_number(work, [&](std::uint64_t number) {
+    if (number != 0) {
+      numbers.push_back(place);
+      numbers.push_back(number);
+    }
+    ++place;
+  });
+  return numbers;
+}
+
+bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work) {
+  std::size_t next = 0;
+  std::uint64_t place = 0;
+  for_each_number(work, [&](std::uint64_t& number) {
+    if (next + 1 < numbers.size() && numbers[next] == place) {
+      number = numbers[next + 1];
+      next += 2;
+    }
+    ++place;
+  });
+  return next == numbers.size();
+}
+
+FunctionCounts function_counts(firmware::CountedMeter& meter) {
+  FunctionCounts functions{};
+  meter.for_each_cell([&functions](std::uint32_t cell, const std::uint32_t* counts) {
+    firmware::Work work{};
+    std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
+    work = firmware::general_apart(work);
+    std::uint32_t& sum = functions[cell % firmware::k_function_count];
+    sum = std::accumulate(std::begin(work.counts), std::end(work.counts), sum);
+  });
+  return functions;
+}
+
+}  // namespace maquette::sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/arithmetic/counted_meter.hpp"
+
+namespace maquette::sim {
+
+/// What many pixels, or the preprocessing, took by kind of ray and function, and what extents told.
+struct FunctionWork {
+  using Counts = std::array<std::uint64_t, firmware::k_operation_count>;
+
+  std::vector<Counts> cells = std::vector<Counts>(firmware::k_cell_count);
+  std::array<firmware::ExtentCounts, firmware::k_extent_kind_count> extents{};
+
+  [[nodiscard]] static std::size_t cell(std::size_t ray, std::size_t function) {
+    return ray * firmware::k_function_count + function;
+  }
+
+  /// Adds what the meter of this thread has counted since its last reset.
+  void add(firmware::CountedMeter& meter);
+  void add(const FunctionWork& other);
+};
+
+/// The numbers that are not zero, with their places: to be kept in a file.
+std::vector<std::uint64_t> numbers_of(const FunctionWork& work);
+
+/// From such numbers; false when they are none.
+bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work);
+
+/// Operations and events of one pixel by function, of any kind of ray.
+using FunctionCounts = std::array<std::uint32_t, firmware::k_function_count>;
+
+/// Those that the meter of this thread has counted since its last reset.
+FunctionCounts function_counts(firmware::CountedMeter& meter);
+
+/// Of a whole frame.
+struct FrameWork {
+  FunctionWork preprocessing;  ///< of each board
+  FunctionWork pixels;
+};
+
+}  // namespace maquette::sim

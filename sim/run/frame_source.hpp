@@ -1,0 +1,15 @@
+#pragma once
+
+#include "models/board/pixel_source.hpp"
+#include "sim/record/function_work.hpp"
+
+namespace maquette::sim {
+
+/// Pixels of a frame, of which is also known in which functions their work was.
+class FrameSource : public models::PixelSource {
+ public:
+  /// Of the whole frame, when every pixel has been taken.
+  [[nodiscard]] virtual FrameWork work_by_function() const = 0;
+};
+
+}  // namespace maquette::sim
