@@ -15,8 +15,8 @@ namespace preprocessing {
 /// were computed from: more than the rounding of a transform and a projection.
 inline constexpr double k_extent_margin = 32;
 
-/// Crossings closer than this many ulps times the coordinates they were computed from are one: their
-/// rounding across a surface.
+/// Crossings closer than this many ulps times the coordinates they were computed from are one:
+/// their rounding across a surface.
 inline constexpr double k_crossing_tolerance = 4;
 
 /// A ray that grazes faces sees them up to this many times as far apart as they are.

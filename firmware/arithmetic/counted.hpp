@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstring>
 #include <limits>
 
@@ -41,13 +42,13 @@ inline void count(Operation operation, std::uint32_t times = 1) {
 
 /// Sums look for a zero operand by the product. It is also zero when both are tiny; at least one is
 /// then below 5.4e-20, which is zero in the package's format.
-inline Counted operator+(Counted a, Counted b) {
+[[gnu::always_inline]] inline Counted operator+(Counted a, Counted b) {
   counting::count(Operation::add);
   counted_meter.place(Operation::add_zero) += counting::is_zero(a.value * b.value);
   return {a.value + b.value};
 }
 
-inline Counted operator-(Counted a, Counted b) {
+[[gnu::always_inline]] inline Counted operator-(Counted a, Counted b) {
   counting::count(Operation::subtract);
   counted_meter.place(Operation::subtract_zero) += counting::is_zero(a.value * b.value);
   return {a.value - b.value};
@@ -55,7 +56,7 @@ inline Counted operator-(Counted a, Counted b) {
 
 /// A product is taken as one with a zero operand when it is zero: the package leaves as early on
 /// an underflow.
-inline Counted operator*(Counted a, Counted b) {
+[[gnu::always_inline]] inline Counted operator*(Counted a, Counted b) {
   const float product = a.value * b.value;
   counting::count(Operation::multiply);
   counted_meter.place(Operation::multiply_zero) += counting::is_zero(product);
@@ -137,7 +138,7 @@ struct InFunction<Counted> {
   ~InFunction() { counted_meter.first = before_; }
 
  private:
-  std::uint32_t before_;
+  std::size_t before_;
 };
 
 template <>

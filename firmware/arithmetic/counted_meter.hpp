@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/arithmetic/extent_use.hpp"
@@ -23,8 +24,8 @@ inline constexpr std::uint32_t k_waiting_rays = 1024;
 /// `multiply`, `divide` hold all operations, those with a zero operand too.
 struct CountedMeter {
   std::uint32_t counts[k_cell_count * k_operation_count];
-  std::uint32_t first;                      ///< of the counts of the present cell
-  std::uint32_t first_of_ray;               ///< of the counts of the present kind of ray
+  std::size_t first;                        ///< of the counts of the present cell
+  std::size_t first_of_ray;                 ///< of the counts of the present kind of ray
   std::uint32_t ray;                        ///< that RayKind
   std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
   RayKind shadow_ray;                       ///< towards the light that was asked last
@@ -32,19 +33,19 @@ struct CountedMeter {
   ExtentCounts extents[k_extent_kind_count];
 
   std::uint32_t& place(Operation operation) {
-    return counts[first + static_cast<std::uint32_t>(operation)];
+    return counts[first + static_cast<std::size_t>(operation)];
   }
 
   void enter_function(std::uint32_t function) {
-    first = first_of_ray + function * k_operation_count;
+    first = first_of_ray + std::size_t{function} * k_operation_count;
     entered[ray] |= std::uint64_t{1} << function;
   }
 
   /// In the function as it is.
   void enter_ray(std::uint32_t kind) {
-    const std::uint32_t in_ray = first - first_of_ray;
+    const std::size_t in_ray = first - first_of_ray;
     ray = kind;
-    first_of_ray = kind * k_function_count * k_operation_count;
+    first_of_ray = std::size_t{kind} * k_function_count * k_operation_count;
     first = first_of_ray + in_ray;
     entered[kind] |= std::uint64_t{1} << (in_ray / k_operation_count);
   }

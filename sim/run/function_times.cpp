@@ -144,7 +144,7 @@ double intersection_share(const FunctionStatistics& statistics) {
 FunctionStatistics function_statistics(const models::MachineStatistics& model,
                                        const Machine& machine, const FrameWork& work) {
   FunctionStatistics result;
-  result.from = "counted work, at the prices of the pixels";
+  result.from = "counted work at the prices of the pixels";
   result.time = working_time(model);
   const WorkTable table(work, model.boards.size());
   const models::WorkCost cost(machine.parameters.board);

@@ -142,7 +142,7 @@ TEST_CASE("Where the first operand is missed the second is not looked at") {
   const auto work_of = [&](BooleanOperator combination, double first_at) {
     Model model;
     const NodeIndex first = model.add(kind_of<sphere::Kind>, trial::moved({first_at, 0, 10}));
-    const NodeIndex second = model.add(kind_of<sphere::Kind>, trial::moved({0.1, 0, 10}));
+    const NodeIndex second = model.add(kind_of<sphere::Kind>, trial::moved({0.5, 0, 10}));
     BuiltFrame<Counted> built(model, model.combine(combination, first, second));
     built.open_extents();
     const auto query = trial::unit_query<Counted>({0, 0, 0}, towards);

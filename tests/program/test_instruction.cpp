@@ -102,7 +102,7 @@ TEST_CASE("an executed board that starves is told by its name") {
   const Outcome outcome = run_maquette(
       "run " + scene +
       " --processor instruction --set allotment.assignment=on_demand --set processors=8"
-      " --set 'board.clock=200 MHz'" +
+      " --set 'board.clock=400 MHz'" +
       k_coarse + (scratch / "starving").string());
   CHECK(outcome.exit_code == 2);
   CHECK_THAT(outcome.errors, ContainsSubstring("machine.board") && ContainsSubstring("starves"));
