@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "d9328d459d01c8fcb4d7dd0c4e6298a170035ac8";
+inline constexpr const char* k_firmware_version = "aff5694bcc33cb40ebb672206e565ab87bf3f1dd";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 173, 0, 25, 28},
