@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "aff5694bcc33cb40ebb672206e565ab87bf3f1dd";
+inline constexpr const char* k_firmware_version = "2233834a83a78189b21a01c7de70f0bedb221122";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 173, 0, 25, 28},

@@ -59,7 +59,7 @@ struct CountedMeter {
       for (; left != 0; left &= left - 1) {
         const std::uint32_t cell =
             kind * k_function_count + static_cast<std::uint32_t>(__builtin_ctzll(left));
-        visit(cell, counts + cell * k_operation_count);
+        visit(cell, counts + std::size_t{cell} * k_operation_count);
       }
     }
   }

@@ -43,13 +43,13 @@ constexpr RayKind shadow_of(int light) {
 
 /// From here to the end of the block work is that of a function.
 template <class Real>
-struct InFunction {
+struct [[maybe_unused]] InFunction {
   [[gnu::always_inline]] constexpr explicit InFunction(Function /*function*/) {}
 };
 
 /// From here to the end of the block work is that of a ray of this kind.
 template <class Real>
-struct InRay {
+struct [[maybe_unused]] InRay {
   [[gnu::always_inline]] constexpr explicit InRay(RayKind /*kind*/) {}
 };
 

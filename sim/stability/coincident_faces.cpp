@@ -106,7 +106,7 @@ bool is_certain(TrialScene<Real>& body, const Vector3& from, const Vector3& dire
   const auto query = query_of<Real>(rounded<Real>(from), direction);
   const Crossings<Real> found = body.crossings(query);
   const std::vector<firmware::Crossing<Real>> expected(found.begin(), found.end());
-  double reach = static_cast<double>(body.frame().prepared.leaves[0].scale);
+  auto reach = static_cast<double>(body.frame().prepared.leaves[0].scale);
   for (const firmware::Crossing<Real>& crossing : expected) {
     const double distance = std::fabs(static_cast<double>(crossing.distance));
     const bool has_end = distance < static_cast<double>(firmware::far_away<Real>());

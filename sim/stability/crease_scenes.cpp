@@ -131,9 +131,9 @@ Object on_grid(Random& random) {
   const Placement round = concatenated(middle, trial::scaled({radius, radius, height}));
   switch (random.below(4)) {
     case 0:
-      return solid_of(random, primitive_of(CylinderShape{1, 2}), round);
+      return solid_of(random, primitive_of(CylinderShape{1, {2}}), round);
     case 1:
-      return solid_of(random, primitive_of(ConeShape{1, 0, 2}), round);
+      return solid_of(random, primitive_of(ConeShape{1, 0, {2}}), round);
     default:
       return solid_of(random, primitive_of(BoxShape{{2, 2, 2}}),
                       concatenated(middle, trial::scaled({across, width, height})));
