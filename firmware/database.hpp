@@ -74,8 +74,8 @@ template <class Real>
 struct LightShape {
   Real reference_squared;  ///< of the distance at which it has its intensity; 0: at every distance
   Vector<Real> axis;       ///< of a spot, unit vector in the scene frame
-  Real edge_cosine;        ///< of the angle to the axis at which a spot ends; -2: no spot
-  Real per_cosine;         ///< how fast it grows from there, until it is whole
+  Real edge_cosine;        ///< of the angle to the axis at which a spot ends
+  Real per_cosine;         ///< how fast it grows from there, until it is whole; 0: no spot
 };
 
 /// What the pattern of a texture is: its place in their table (textures/texture_table.hpp).

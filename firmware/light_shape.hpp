@@ -17,7 +17,7 @@ template <class Real>
   const Real one = constant<Real>(1);
   charge<Real>(Operation::load, 2);
   Real share = one;
-  if (shape.edge_cosine > -one) {
+  if (shape.per_cosine > zero) {
     charge<Real>(Operation::load, 4);
     const Real cosine = -glm::dot(frame.prepared.light_axes[light], to_light);
     const Real inside = smaller(one, (cosine - shape.edge_cosine) * shape.per_cosine);

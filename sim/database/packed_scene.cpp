@@ -128,11 +128,9 @@ Vector3 placed(const Light& light, const Vector3& point) {
 
 firmware::LightShape<double> shape_of(const Light& light) {
   constexpr double k_radians = firmware::elementary::k_pi / 180;
-  constexpr double k_no_spot = -2;
   firmware::LightShape<double> shape{};
   shape.reference_squared = light.falloff ? *light.falloff * *light.falloff : 0;
   shape.axis = {0, 0, 0};
-  shape.edge_cosine = k_no_spot;
   if (light.spot) {
     shape.axis = glm::normalize(placed(light, light.spot->target) - placed(light, light.position));
     const double whole = std::cos(light.spot->angle_deg * k_radians);

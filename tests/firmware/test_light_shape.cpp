@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "firmware/arithmetic/elementary.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
 
@@ -23,13 +24,11 @@ struct OneLight {
   Frame<double> frame{};
 };
 
-constexpr double k_no_spot = -2;
-
 TEST_CASE("A near light has its intensity at its distance and a quarter at twice that") {
   trial::Random random(1101);
   for (int i = 0; i < 200; ++i) {
     const double distance = random.magnitude(0.01, 1000);
-    const OneLight near({distance * distance, {0, 0, 0}, k_no_spot, 0});
+    const OneLight near({distance * distance, {0, 0, 0}, 0, 0});
     const Vector<double> any = random.direction();
     CHECK(near.share(any, distance) == Approx(1));
     CHECK(near.share(any, 2 * distance) == Approx(0.25));
@@ -59,6 +58,13 @@ TEST_CASE("A spot is whole within its angle, nothing beyond its edge and falls b
     const double middle = std::acos((std::cos(inner) + std::cos(outer)) / 2);
     CHECK(at(middle) == Approx(0.5).epsilon(1e-6));
   }
+}
+
+TEST_CASE("A spot may end behind itself") {
+  const double inner = std::cos(170 * elementary::k_pi / 180);
+  const OneLight spot({0, {0, 0, 1}, -1, 1 / (inner + 1)});
+  CHECK(spot.share({0, 0, 1}, 5) == 0);
+  CHECK(spot.share({0, 0, -1}, 5) == 1);
 }
 
 TEST_CASE("A spot's light falls off, too") {
