@@ -9,6 +9,13 @@ namespace maquette::sim {
 
 namespace {
 
+/// The work that a cell of a meter has counted.
+firmware::Work work_of(const std::uint32_t* counts) {
+  firmware::Work work{};
+  std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
+  return firmware::general_apart(work);
+}
+
 void add(const firmware::ExtentCounts& counts, firmware::ExtentCounts& sum) {
   sum.tests += counts.tests;
   sum.hits += counts.hits;
@@ -19,9 +26,7 @@ void add(const firmware::ExtentCounts& counts, firmware::ExtentCounts& sum) {
 
 void FunctionWork::add(firmware::CountedMeter& meter) {
   meter.for_each_cell([this](std::uint32_t cell, const std::uint32_t* counts) {
-    firmware::Work work{};
-    std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
-    work = firmware::general_apart(work);
+    const firmware::Work work = work_of(counts);
     for (std::size_t i = 0; i < cells[cell].size(); ++i) {
       cells[cell][i] += work.counts[i];
     }
@@ -90,9 +95,7 @@ bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work)
 FunctionCounts function_counts(firmware::CountedMeter& meter) {
   FunctionCounts functions{};
   meter.for_each_cell([&functions](std::uint32_t cell, const std::uint32_t* counts) {
-    firmware::Work work{};
-    std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
-    work = firmware::general_apart(work);
+    const firmware::Work work = work_of(counts);
     std::uint32_t& sum = functions[cell % firmware::k_function_count];
     sum = std::accumulate(std::begin(work.counts), std::end(work.counts), sum);
   });
