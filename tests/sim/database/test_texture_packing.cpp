@@ -30,8 +30,8 @@ Vector3 in_pattern(const firmware::Texture<double>& texture, const Vector3& loca
   return texture.from_leaf * glm::dvec4(local, 1);
 }
 
-const firmware::Texture<double>& texture_of(const PackedTextures& packed, const ObjectTree& tree,
-                                            const Vector3& origin) {
+firmware::Texture<double> texture_of(const PackedTextures& packed, const ObjectTree& tree,
+                                     const Vector3& origin) {
   for (std::size_t i = 0; i < tree.leaves.size(); ++i) {
     if (glm::length(tree.leaves[i].to_scene[3] - origin) < 1e-9) {
       return packed.textures.at(packed.of_leaves.at(i));
@@ -48,12 +48,12 @@ TEST_CASE("A pattern lies in the frame of the object with the surface, or in eac
     const ObjectTree tree = object_tree_of(scene);
     const PackedTextures packed = packed_textures(scene, tree);
     CHECK(packed.textures.size() == 2);
-    const auto& ball = texture_of(packed, tree, {5, 0, 7});
+    const auto ball = texture_of(packed, tree, {5, 0, 7});
     // The local frame of the ball is the unit sphere: x = 1 is 2 units from its centre.
     const double expected = ((is_own ? 0 : 5) + 2) / 0.5;
     CHECK(in_pattern(ball, {1, 0, 0}).x == Approx(expected));
     CHECK(in_pattern(ball, {0, 0, 1}).z == Approx(4));
-    const auto& block = texture_of(packed, tree, {0, 3, 7});
+    const auto block = texture_of(packed, tree, {0, 3, 7});
     CHECK(in_pattern(block, {0, 0, 0}).y == Approx(is_own ? 0 : 6));
   }
 }
