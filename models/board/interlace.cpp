@@ -57,6 +57,9 @@ PixelPosition InterlacedPixels::position(std::int64_t index) const {
   const std::int64_t unit = next - first_pixels_.begin() - 1;
   const std::int64_t in_unit = index - first_pixel(unit);
   const Steps columns = columns_of(unit);
+  if (columns.count == 0) {
+    throw std::out_of_range("no pixel of the zone has this index");
+  }
   return {columns.first + static_cast<int>(in_unit % columns.count) * interlace_.columns,
           rows_of(unit).first + static_cast<int>(in_unit / columns.count) * interlace_.lines};
 }

@@ -79,6 +79,7 @@ std::vector<YamlNode> values_of(const YamlNode& node, int frames) {
     fail(node, "sequence: a list of a value for each frame, or {from: A, to: B} is allowed");
   }
   std::vector<YamlNode> values;
+  values.reserve(static_cast<std::size_t>(frames));
   for (int frame = 0; frame < frames; ++frame) {
     values.push_back(between(*from, *to, frames == 1 ? 0 : 1.0 * frame / (frames - 1)));
   }

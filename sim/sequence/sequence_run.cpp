@@ -93,7 +93,7 @@ std::string sequence_json(const SequenceResult& sequence) {
   for (const Statistics& statistics : sequence.frames) {
     const FrameStatistics& frame = statistics.frame;
     frames += fmt::format(
-        "{}    {{\"load_s\": {}, \"time_s\": {}, \"preprocess_s\": {}, \"synthesis_s\": {}}}",
+        R"({}    {{"load_s": {}, "time_s": {}, "preprocess_s": {}, "synthesis_s": {}}})",
         frames.empty() ? "\n" : ",\n", format_seconds(frame.load), format_seconds(frame.time),
         format_seconds(frame.preprocess), format_seconds(frame.synthesis));
   }
