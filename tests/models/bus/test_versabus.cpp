@@ -51,6 +51,20 @@ TEST_CASE("one board alone that keeps the bus arbitrates once") {
   CHECK(master.outcomes.front().waited == 4 * k_clock);
 }
 
+TEST_CASE("a transaction knows its own waits, whatever those before it had to wait") {
+  Bench bench("own_waits", k_bus, slave_of_250_ns());
+  Master& high = bench.add({2, 0}, Style::promised, script({{Duration::zero(), 0, 50}}));
+  Master& low =
+      bench.add({1, 0}, Style::promised, script({{Duration::zero(), 0, 2}, {10'000 * k_clock}}));
+  sc_core::sc_start();
+  REQUIRE(high.outcomes.size() == 1);
+  REQUIRE(low.outcomes.size() == 2);
+  CHECK(low.outcomes[0].longest_wait > 4 * k_clock);
+  CHECK(low.outcomes[1].longest_wait == 4 * k_clock);
+  CHECK(low.outcomes[1].waited == 4 * k_clock);
+  CHECK(low.outcomes[1].transferred == k_word);
+}
+
 TEST_CASE("two boards in lock-step: the lower one waits for the other's access each time") {
   Bench bench("lockstep", k_bus, slave_of_250_ns());
   const Duration compute = 1000 * k_clock;

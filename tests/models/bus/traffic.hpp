@@ -41,6 +41,7 @@ struct Outcome {
   Instant end;
   Duration waited;
   Duration transferred;
+  Duration longest_wait;
   tlm::tlm_response_status status;
 };
 
@@ -120,8 +121,8 @@ class Master : public sc_core::sc_module {
   }
 
   void keep_outcome(Instant end) {
-    outcomes.push_back(
-        {end, transaction_.waited, transaction_.transferred, payload_.get_response_status()});
+    outcomes.push_back({end, transaction_.waited, transaction_.transferred,
+                        transaction_.longest_wait, payload_.get_response_status()});
   }
 
   std::optional<Duration> follow_up(Instant end) {

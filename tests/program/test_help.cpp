@@ -1,0 +1,33 @@
+#include "tests/catch.hpp"
+#include "tests/program/program.hpp"
+
+using namespace maquette::tests;
+using Catch::Matchers::ContainsSubstring;
+
+TEST_CASE("the help lists every command, and each explains itself") {
+  const Outcome help = run_maquette("--help");
+  CHECK(help.exit_code == 0);
+  for (const std::string command :
+       {"run", "describe", "sweep", "merge", "accuracy", "compare", "stability"}) {
+    INFO(command);
+    CHECK_THAT(help.output, ContainsSubstring("\n  " + command + " "));
+    const Outcome own = run_maquette(command + " --help");
+    CHECK(own.exit_code == 0);
+    CHECK_THAT(own.output, ContainsSubstring("Usage: maquette " + command));
+    CHECK_THAT(own.output, ContainsSubstring("--"));
+    CHECK(own.errors.empty());
+  }
+}
+
+TEST_CASE("a command is needed, and one that there is") {
+  for (const char* wrong : {"", "simulate scenes/photo4.yaml"}) {
+    const Outcome outcome = run_maquette(wrong);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.output.empty());
+    CHECK_FALSE(outcome.errors.empty());
+  }
+}
+
+TEST_CASE("the version is told with the revision") {
+  CHECK_THAT(run_maquette("--version").output, ContainsSubstring("maquette 1."));
+}
