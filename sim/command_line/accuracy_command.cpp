@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -19,7 +20,7 @@
 #include "sim/picture/image_file.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/report/progress.hpp"
-#include "sim/report/run_directory.hpp"
+#include "sim/report/result_directory.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/run/simulation.hpp"
@@ -145,6 +146,19 @@ std::vector<NamedContent> files_of(const std::vector<LadderResult>& results,
   return files;
 }
 
+/// Draws what can be drawn: a lack of gnuplot must not cost the results.
+std::exception_ptr draw_plots(const std::vector<LadderResult>& results,
+                              const std::filesystem::path& directory) {
+  try {
+    for (const AccuracyPlot& plot : accuracy_plots(results)) {
+      draw(directory, plot.name, plot.script);
+    }
+  } catch (const std::exception&) {
+    return std::current_exception();
+  }
+  return nullptr;
+}
+
 int accuracy(const AccuracyOptions& options, const std::vector<std::string>& command) {
   const auto start = std::chrono::steady_clock::now();
   const DescriptionSources sources = sources_of(options.common);
@@ -152,10 +166,9 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
   const std::vector<Ladder> ladders = wanted_ladders(options, description);
   const std::vector<LevelTask> tasks = tasks_of(ladders, sources);
   const std::filesystem::path directory =
-      options.outdir.empty()
-          ? std::filesystem::path("runs") / (description.scene.name + "-accuracy")
-          : std::filesystem::path(options.outdir);
-  create_run_directory(directory);
+      options.outdir.empty() ? default_directory(options.common, description.scene, "-accuracy")
+                             : std::filesystem::path(options.outdir);
+  ResultDirectory published(directory);
   explain_missing(options, description.machine);
 
   const Interruption interruption;
@@ -173,12 +186,11 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
 
   const std::vector<LadderResult> results = results_of(ladders, outcomes);
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
-  write_files(directory, files_of(results, description));
-  write_files(directory,
-              {{"manifest.json",
-                manifest_json(manifest_of(command, description.input_files, host_time.count()))}});
-  for (const AccuracyPlot& plot : accuracy_plots(results)) {
-    draw(directory / "plots", plot.name, plot.script);
+  write_files(published.workplace(), files_of(results, description));
+  const std::exception_ptr failure = draw_plots(results, published.workplace() / "plots");
+  published.publish(manifest_of(command, description.input_files, host_time.count()));
+  if (failure) {
+    std::rethrow_exception(failure);
   }
   if (!options.quiet) {
     fmt::print("{}written: {}\n", accuracy_report(results), directory.string());

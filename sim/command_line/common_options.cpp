@@ -8,6 +8,7 @@
 #include "sim/command_line/version.hpp"
 #include "sim/picture/program_tree.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
+#include "sim/yaml/name_check.hpp"
 
 namespace maquette::sim {
 
@@ -82,16 +83,22 @@ std::string path_for_results(const std::string& path) {
   return path.compare(0, prefix.size(), prefix) == 0 ? path.substr(prefix.size()) : path;
 }
 
+std::filesystem::path default_directory(const CommonOptions& options, const Scene& scene,
+                                        const std::string& suffix) {
+  const std::string stem = std::filesystem::path(options.scene).stem().string();
+  const std::string of_file = is_file_name(stem) ? stem : "scene";
+  return std::filesystem::path("runs") / ((scene.name.empty() ? of_file : scene.name) + suffix);
+}
+
 Manifest manifest_of(const std::vector<std::string>& command,
-                     const std::vector<std::string>& input_files, double host_time_s) {
+                     const std::vector<InputFile>& input_files, double host_time_s) {
   Manifest manifest;
   manifest.command = command;
   manifest.version = version();
   manifest.revision = revision();
-  for (const std::string& file : input_files) {
-    InputFile input = hash_input(file);
-    input.path = path_for_results(file);
-    manifest.inputs.push_back(input);
+  for (const InputFile& file : input_files) {
+    manifest.inputs.push_back(digest_of(file));
+    manifest.inputs.back().path = path_for_results(file.path);
   }
   manifest.host_time_s = host_time_s;
   measure_process(manifest);

@@ -48,8 +48,13 @@ std::string data_directory();
 /// that is; as given otherwise.
 std::string path_for_results(const std::string& path);
 
+/// Where results of a description go when nothing else is asked for: a folder in runs/ that is
+/// called by the scene's name or, where it has none, by its file, with `suffix` behind.
+std::filesystem::path default_directory(const CommonOptions& options, const Scene& scene,
+                                        const std::string& suffix);
+
 /// The manifest of a command that has read these files and taken this long.
 Manifest manifest_of(const std::vector<std::string>& command,
-                     const std::vector<std::string>& input_files, double host_time_s);
+                     const std::vector<InputFile>& input_files, double host_time_s);
 
 }  // namespace maquette::sim

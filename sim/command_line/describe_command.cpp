@@ -28,9 +28,10 @@ void describe(const DescribeOptions& options) {
   CommonOptions described = options.common;
   described.scene = file;
   DescriptionSources sources = sources_of(described);
-  if (describes_machine(file)) {
+  sources.known = {read_input(file)};
+  if (describes_machine(sources.known.front())) {
     sources.machine = file;
-    std::vector<std::string> input_files;
+    std::vector<InputFile> input_files;
     fmt::print("{}", machine_report(load_machine(sources, input_files)));
     return;
   }

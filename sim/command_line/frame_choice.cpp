@@ -4,8 +4,7 @@
 
 #include <utility>
 
-#include "sim/report/manifest.hpp"
-#include "sim/report/run_directory.hpp"
+#include "sim/report/result_directory.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/sequence/sequence_run.hpp"
@@ -43,19 +42,18 @@ int run_frames(const RunOptions& options, const std::vector<std::string>& comman
     require_execution(description.machine);
   }
   const std::filesystem::path directory = run_directory_of(options, description);
-  create_run_directory(directory);
+  ResultDirectory results(directory);
   const Interruption interruption;
   const auto show = [&](std::size_t done) {
     if (!options.quiet) {
       fmt::print(stderr, "frame {} of {}\n", done, description.frames.size());
     }
   };
-  const SequenceResult sequence = run_sequence(description, request, directory, show);
-  write_files(directory,
+  const SequenceResult sequence = run_sequence(description, request, results.workplace(), show);
+  write_files(results.workplace(),
               {{"sequence.json", sequence_json(sequence)},
-               {"config.yaml", effective_configuration(description.scene, description.machine)},
-               {"manifest.json",
-                manifest_json(manifest_of(command, description.input_files, host_time_s()))}});
+               {"config.yaml", effective_configuration(description.scene, description.machine)}});
+  results.publish(manifest_of(command, description.input_files, host_time_s()));
   if (!options.quiet) {
     fmt::print("{}\nwritten: {}\n", summarise_sequence(sequence), directory.string());
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <future>
@@ -19,9 +20,9 @@
 #include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/picture/image_file.hpp"
-#include "sim/report/manifest.hpp"
+#include "sim/report/output_check.hpp"
 #include "sim/report/progress.hpp"
-#include "sim/report/run_directory.hpp"
+#include "sim/report/result_directory.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
 #include "sim/run/execution_check.hpp"
@@ -54,6 +55,10 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
       throw DescriptionError(position,
                              "no frame takes so long; allowed: up to 8640000 s, 100 days");
     }
+    // One instant may be written in several ways.
+    if (std::count(instants.begin(), instants.end(), instants.back()) > 1) {
+      instants.pop_back();
+    }
   }
   return instants;
 }
@@ -61,11 +66,11 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
 /// The frame to replay, if the run replays one. Whoever keeps a record replays it: the statistics
 /// are the same bytes, and the frame is synthesised once.
 std::optional<RecordedFrame> record_for(const RunOptions& options, const Description& description,
-                                        const std::filesystem::path& directory, int threads) {
+                                        ResultDirectory& results, int threads) {
   const Scene& scene = description.scene;
   const Machine& machine = description.machine;
   if (options.processor == "recorded") {
-    return options.record.empty() ? record_of(scene, machine, directory / "record", threads)
+    return options.record.empty() ? record_of(scene, machine, results.kept("record"), threads)
                                   : load_record(options.record, record_key_of(scene, machine));
   }
   if (options.record.empty()) {
@@ -127,6 +132,20 @@ std::string paper_time_of(const Scene& scene) {
              : "";
 }
 
+std::vector<RequestedOutput> outputs_of(const RunOptions& options) {
+  std::vector<RequestedOutput> outputs;
+  if (!options.record.empty() && options.processor != "recorded") {
+    outputs.push_back({"--record", options.record});
+  }
+  for (const std::string& file : options.trace.files) {
+    outputs.push_back({"--trace", file});
+  }
+  if (!options.trace.lines.empty()) {
+    outputs.push_back({"--trace-lines", options.trace.lines});
+  }
+  return outputs;
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -158,12 +177,13 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory = run_directory_of(options, description);
-  create_run_directory(directory);
+  check_outputs(outputs_of(options), description.input_files, directory);
+  ResultDirectory results(directory);
   TraceFiles trace_files(std::move(trace));
   request.lines = trace_files.lines();
 
   const std::optional<RecordedFrame> record =
-      record_for(options, description, directory, request.threads);
+      record_for(options, description, results, request.threads);
   request.record = record ? &*record : nullptr;
   // Loading takes about as long as many a simulation: with threads to spare they go side by side.
   const std::future<void> png =
@@ -189,12 +209,11 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
   add_ram_files(request.dumped_boards, result, files);
-  files.push_back({"manifest.json",
-                   manifest_json(manifest_of(command, description.input_files, host_time_s()))});
   const models::Instant frame_end = result.statistics.frame.time;
   fmt::print(stderr, "{}", trace_files.remarks(result.trace, frame_end));
   trace_files.write(result.trace, frame_end);
-  write_files(directory, files);
+  write_files(results.workplace(), files);
+  results.publish(manifest_of(command, description.input_files, host_time_s()));
   if (!options.quiet) {
     fmt::print("{}\n{}\n",
                summarise(result.statistics, result.times_from, paper_time_of(description.scene),

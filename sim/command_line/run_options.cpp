@@ -67,7 +67,7 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
 }
 
 std::filesystem::path run_directory_of(const RunOptions& options, const Description& description) {
-  return options.outdir.empty() ? std::filesystem::path("runs") / description.scene.name
+  return options.outdir.empty() ? default_directory(options.common, description.scene, "")
                                 : std::filesystem::path(options.outdir);
 }
 

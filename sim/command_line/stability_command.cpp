@@ -8,7 +8,7 @@
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/report/progress.hpp"
-#include "sim/report/run_directory.hpp"
+#include "sim/report/result_directory.hpp"
 #include "sim/stability/stability_checks.hpp"
 #include "sim/stability/stability_report.hpp"
 
@@ -90,19 +90,18 @@ int stability(const StabilityOptions& options, const std::vector<std::string>& c
   const auto start = std::chrono::steady_clock::now();
   const std::string exact_roots_file = data_directory() + "/stability/exact_roots.txt";
   const StabilityMaterial material = stability_material(options.scenes, exact_roots_file);
-  create_run_directory(options.outdir);
+  ResultDirectory results(options.outdir);
   std::vector<Plan> plans;
   add_plan<float>("float", options, material, plans);
   add_plan<double>("double", options, material, plans);
   const std::vector<StabilityMeasurement> measurements = measure(plans, options.quiet);
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
-  std::vector<std::string> input_files{exact_roots_file};
+  std::vector<InputFile> input_files{read_input(exact_roots_file)};
   for (const ShippedScene& scene : material.scenes) {
-    input_files.push_back(scene.file);
+    input_files.push_back(read_input(scene.file));
   }
-  const Manifest manifest = manifest_of(command, input_files, host_time.count());
-  write_files(options.outdir, {{"stability.json", stability_json(measurements)},
-                               {"manifest.json", manifest_json(manifest)}});
+  write_files(results.workplace(), {{"stability.json", stability_json(measurements)}});
+  results.publish(manifest_of(command, input_files, host_time.count()));
   const int broken = broken_bounds(measurements);
   if (!options.quiet) {
     fmt::print("{}\n{}\nwritten: {}\n", stability_table(measurements),

@@ -21,6 +21,7 @@
 #include "sim/sweep/study_run.hpp"
 #include "sim/sweep/study_table.hpp"
 #include "sim/yaml/description_error.hpp"
+#include "sim/yaml/name_check.hpp"
 
 namespace maquette::sim {
 
@@ -140,6 +141,7 @@ Study study_of(const SweepOptions& options) {
     study.plots.push_back(parse_plot(text));
   }
   if (!options.name.empty()) {
+    check_file_name(options.name, node_of_option("--name", options.name).place, "name");
     study.name = options.name;
   }
   return study;
@@ -221,7 +223,7 @@ int gather_and_report(const StudyPoints& points, const StudyDirectory& directory
 int sweep(const SweepOptions& options, const std::vector<std::string>& command) {
   const auto start = std::chrono::steady_clock::now();
   Study study = study_of(options);
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
   inline_files(study, data_directory(), input_files);
   complete(study);
   const StudyPoints points(std::move(study), data_directory());
@@ -264,7 +266,7 @@ int merge(const std::string& path, const std::vector<std::string>& plots, bool q
   for (const std::string& text : plots) {
     study.plots.push_back(parse_plot(text));
   }
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
   inline_files(study, data_directory(), input_files);
   const StudyPoints points(std::move(study), data_directory());
   check_columns(points);

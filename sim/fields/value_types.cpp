@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "sim/yaml/name_check.hpp"
 #include "sim/yaml/nearest_name.hpp"
 
 namespace maquette::sim {
@@ -130,6 +131,14 @@ YamlNode PointListType::write(const std::vector<glm::dvec2>& points) {
 
 std::string TextType::read(const YamlNode& node, std::string_view name) {
   return scalar_text(node, name, "a text");
+}
+
+std::string FileNameType::read(const YamlNode& node, std::string_view name) {
+  std::string text = scalar_text(node, name, range());
+  if (!text.empty()) {
+    check_file_name(text, node.place, name);
+  }
+  return text;
 }
 
 std::vector<std::uint8_t> HexadecimalType::read(const YamlNode& node, std::string_view name) {

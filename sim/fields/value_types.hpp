@@ -88,6 +88,14 @@ struct TextType {
   [[nodiscard]] static std::string range() { return "text"; }
 };
 
+/// What files or directories of results are called; empty where they are called by default.
+struct FileNameType {
+  [[nodiscard]] static std::string read(const YamlNode& node, std::string_view name);
+  [[nodiscard]] static YamlNode write(const std::string& value) { return yaml_scalar(value); }
+  [[nodiscard]] static std::string unit() { return "none"; }
+  [[nodiscard]] static std::string range() { return "name of a file"; }
+};
+
 /// Bytes, two hexadecimal digits each.
 struct HexadecimalType {
   [[nodiscard]] static std::vector<std::uint8_t> read(const YamlNode& node, std::string_view name);

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "sim/report/run_directory.hpp"
+#include "sim/report/unfinished.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -140,7 +141,7 @@ std::string gnuplot_script(const std::string& name, const std::string& settings,
 }
 
 void draw(const fs::path& directory, const std::string& name, const std::string& script) {
-  const Workplace workplace(directory / fmt::format(".{}.unfinished-{}", name, ::getpid()));
+  const Workplace workplace(directory / unfinished_name(name));
   write_files(workplace.path(), {{name + ".gp", script}});
   const int exit_code = run_gnuplot(workplace.path(), name + ".gp");
   if (exit_code != 0) {

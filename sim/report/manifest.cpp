@@ -5,13 +5,11 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/report/digest.hpp"
-#include "sim/report/run_directory.hpp"
 
 namespace maquette::sim {
 
-InputFile hash_input(const std::string& path) {
-  const std::string content = read_file(path);
-  return {path, sha1_of(content.data(), content.size())};
+InputDigest digest_of(const InputFile& file) {
+  return {file.path, sha1_of(file.content.data(), file.content.size())};
 }
 
 void measure_process(Manifest& manifest) {
@@ -39,6 +37,7 @@ std::string manifest_json(const Manifest& manifest) {
             {"version", manifest.version},
             {"revision", manifest.revision},
             {"inputs", inputs},
+            {"files", manifest.files},
             {"host_time_s", manifest.host_time_s},
             {"processor_time_s", manifest.processor_time_s},
             {"peak_memory_bytes", manifest.peak_memory_bytes}};

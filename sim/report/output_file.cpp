@@ -1,12 +1,12 @@
 #include "sim/report/output_file.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <string>
 #include <system_error>
 
+#include "sim/report/replaceable.hpp"
+#include "sim/report/unfinished.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -20,12 +20,8 @@ namespace {
 }  // namespace
 
 OutputFile::OutputFile(const std::filesystem::path& path)
-    : path_(path),
-      unfinished_(path.parent_path() /
-                  ("." + path.filename().string() + ".unfinished-" + std::to_string(::getpid()))) {
-  if (std::error_code ignored; std::filesystem::is_directory(path, ignored)) {
-    fail(path_, "a directory has this name");
-  }
+    : path_(replaceable(path)),
+      unfinished_(path_.parent_path() / unfinished_name(path_.filename().string())) {
   stream_.open(unfinished_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
     fail(path_, std::strerror(errno));

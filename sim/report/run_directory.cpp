@@ -1,13 +1,13 @@
 #include "sim/report/run_directory.hpp"
 
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <system_error>
 
+#include "sim/report/replaceable.hpp"
+#include "sim/report/unfinished.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -19,9 +19,8 @@ namespace fs = std::filesystem;
   throw DescriptionError(path.string() + ": " + what + ": " + reason);
 }
 
-// Hidden, and of this process alone: runs into one directory do not write into each other's files.
 fs::path unfinished_path(const fs::path& directory, const std::string& name) {
-  return directory / ("." + name + ".unfinished-" + std::to_string(::getpid()));
+  return directory / unfinished_name(name);
 }
 
 void write_unfinished(const fs::path& path, const std::string& content) {
@@ -51,9 +50,7 @@ class UnfinishedFiles {
 
   void write() const {
     for (const auto& file : files_) {
-      if (std::error_code ignored; fs::is_directory(directory_ / file.name, ignored)) {
-        fail(directory_ / file.name, "cannot be written", "a directory has this name");
-      }
+      replaceable(directory_ / file.name);
       write_unfinished(unfinished_path(directory_, file.name), file.content);
     }
   }

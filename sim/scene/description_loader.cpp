@@ -36,13 +36,15 @@ constexpr std::array<CostTable, 2> k_cost_tables{
 /// Reads files and remembers them.
 class Loader {
  public:
-  Loader(std::string data_directory, std::vector<std::string>& input_files)
+  Loader(std::string data_directory, std::vector<InputFile>& input_files)
       : data_(std::move(data_directory)), input_files_(input_files) {}
 
+  /// Those that were read before; kept by reference.
+  void know(const std::vector<InputFile>& files) { known_ = &files; }
+
   YamlNode load(const std::string& file) {
-    YamlNode root = load_yaml(file);
-    input_files_.push_back(file);
-    return root;
+    input_files_.push_back(read(file));
+    return parse_yaml(input_files_.back());
   }
 
   /// Loads what `name` refers to: a file relative to `base`, or what is shipped of `kind`. `place`
@@ -70,8 +72,20 @@ class Loader {
                                                   : fs::path{};
   }
 
+  [[nodiscard]] InputFile read(const std::string& file) const {
+    if (known_ != nullptr) {
+      const auto found = std::find_if(known_->begin(), known_->end(),
+                                      [&file](const InputFile& f) { return f.path == file; });
+      if (found != known_->end()) {
+        return *found;
+      }
+    }
+    return read_input(file);
+  }
+
   std::string data_;
-  std::vector<std::string>& input_files_;
+  std::vector<InputFile>& input_files_;
+  const std::vector<InputFile>* known_ = nullptr;
 };
 
 /// Makes the value under `key` of a mapping and returns it.
@@ -208,7 +222,7 @@ void expand_machine(YamlNode& machine, Loader& loader) {
 }  // namespace
 
 void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_directory,
-                  std::vector<std::string>& input_files) {
+                  std::vector<InputFile>& input_files) {
   Loader loader{data_directory, input_files};
   switch (kind) {
     case DescriptionPart::scene:
@@ -232,14 +246,15 @@ void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_
 
 Description read_description(DescriptionTrees trees, const std::vector<Override>& changes,
                              const std::string& data_directory) {
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
   Loader loader{data_directory, input_files};
   return read_trees(std::move(trees), changes, loader);
 }
 
 Description load_description(const DescriptionSources& sources) {
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
   Loader loader{sources.data_directory, input_files};
+  loader.know(sources.known);
   DescriptionTrees trees;
   trees.scene = loader.load(sources.scene_file);
   if (sources.machine) {
@@ -254,8 +269,9 @@ Description load_description(const DescriptionSources& sources) {
   return description;
 }
 
-Machine load_machine(const DescriptionSources& sources, std::vector<std::string>& input_files) {
+Machine load_machine(const DescriptionSources& sources, std::vector<InputFile>& input_files) {
   Loader loader{sources.data_directory, input_files};
+  loader.know(sources.known);
   YamlNode machine = loader.load_named(sources.machine.value_or(std::string{k_default_machine}),
                                        "machines", {}, nullptr);
   for (const std::string& text : sources.overrides) {
@@ -266,8 +282,8 @@ Machine load_machine(const DescriptionSources& sources, std::vector<std::string>
   return read_machine(machine);
 }
 
-bool describes_machine(const std::string& file) {
-  const YamlNode root = load_yaml(file);
+bool describes_machine(const InputFile& file) {
+  const YamlNode root = parse_yaml(file);
   return root.find("object") == nullptr && root.find("view") == nullptr &&
          (root.find("processors") != nullptr || root.find("board") != nullptr);
 }

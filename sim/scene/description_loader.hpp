@@ -6,6 +6,7 @@
 
 #include "sim/machine/machine.hpp"
 #include "sim/scene/scene.hpp"
+#include "sim/yaml/input_file.hpp"
 #include "sim/yaml/override.hpp"
 #include "sim/yaml/yaml_node.hpp"
 
@@ -17,6 +18,7 @@ struct DescriptionSources {
   std::optional<std::string> machine;  ///< goes before the scene's own; a file, or a shipped name
   std::vector<std::string> overrides;  ///< `path=value`, applied in this order
   std::string data_directory;          ///< holds models/ and scenes/, as they are shipped
+  std::vector<InputFile> known{};      ///< files that were read before and are not read again
 };
 
 /// A checked description and the files that it was read from, in the order of reading.
@@ -24,7 +26,7 @@ struct Description {
   Scene scene;                ///< without the values of its sequence
   std::vector<Scene> frames;  ///< of its sequence; none without
   Machine machine;
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
 };
 
 /// Reads the scene, its machine and its cost tables. The machine is `sources.machine`, or what the
@@ -44,7 +46,7 @@ enum class DescriptionPart { scene, machine, arithmetic, program };
 /// in turn; a scene's own machine stays in the scene. Remembers the files in `input_files`. Throws
 /// DescriptionError.
 void inline_files(YamlNode& part, DescriptionPart kind, const std::string& data_directory,
-                  std::vector<std::string>& input_files);
+                  std::vector<InputFile>& input_files);
 
 /// A description before it is checked.
 struct DescriptionTrees {
@@ -60,12 +62,12 @@ struct DescriptionTrees {
 
 /// The same without a scene; without `sources.machine` it is the shipped ccett-1984.
 [[nodiscard]] Machine load_machine(const DescriptionSources& sources,
-                                   std::vector<std::string>& input_files);
+                                   std::vector<InputFile>& input_files);
 
 /// Whether the file describes a machine rather than a scene: it has a board or processors, and
 /// neither object nor view.
-/// Throws DescriptionError when it cannot be read.
-[[nodiscard]] bool describes_machine(const std::string& file);
+/// Throws DescriptionError when it is no YAML.
+[[nodiscard]] bool describes_machine(const InputFile& file);
 
 /// The scene with its machine and cost tables inline, as text: every value, and nothing of where it
 /// came from, so that loading it gives the same description.

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <system_error>
 
 #include "sim/fields/value_types.hpp"
 #include "sim/picture/image_file.hpp"
@@ -18,30 +15,31 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bytes of a file; nothing where there is none, or one that no board could hold.
-std::string bytes_of(const fs::path& file) {
-  constexpr std::uintmax_t k_most_bytes = 64 << 20;
-  std::error_code error;
-  if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > k_most_bytes || error) {
-    return {};
-  }
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-models::Picture read_picture(const fs::path& file, const YamlPlace& place) {
-  const std::string bytes = bytes_of(file);
-  if (bytes.empty()) {
-    throw DescriptionError(place.position(), "picture: `" + file.string() +
-                                                 "` cannot be read; a PNG file of three "
-                                                 "8-bit channels is allowed");
-  }
+models::Picture picture_of(const InputFile& file, const YamlPlace& place) {
   try {
-    return decode_png(bytes, file.string());
+    return decode_png(file.content, file.path);
   } catch (const DescriptionError& error) {
     throw DescriptionError(place.position(), std::string("picture: ") + error.what() +
                                                  "; a PNG file of three 8-bit channels is allowed");
   }
+}
+
+/// The file among those that were read; it is read if it is not there.
+const InputFile& input_of(const std::string& file, const YamlPlace& place,
+                          std::vector<InputFile>& input_files) {
+  const auto found = std::find_if(input_files.begin(), input_files.end(),
+                                  [&file](const InputFile& input) { return input.path == file; });
+  if (found != input_files.end()) {
+    return *found;
+  }
+  try {
+    input_files.push_back(read_input(file));
+  } catch (const DescriptionError&) {
+    throw DescriptionError(place.position(), "picture: `" + file +
+                                                 "` cannot be read; a PNG file of three "
+                                                 "8-bit channels is allowed");
+  }
+  return input_files.back();
 }
 
 YamlNode texels_of(const models::Picture& picture) {
@@ -68,7 +66,7 @@ void set_place(YamlNode& node, const YamlPlace& place) {
 
 }  // namespace
 
-void inline_pictures(YamlNode& scene, std::vector<std::string>& input_files) {
+void inline_pictures(YamlNode& scene, std::vector<InputFile>& input_files) {
   YamlNode* surfaces = scene.find("surfaces");
   if (surfaces == nullptr) {
     return;
@@ -83,11 +81,8 @@ void inline_pictures(YamlNode& scene, std::vector<std::string>& input_files) {
     const bool is_in_file = place.file && !is_from_override(place);
     const fs::path folder = is_in_file ? fs::path{*place.file}.parent_path() : fs::path{};
     const fs::path file = folder / picture->text;
-    *picture = texels_of(read_picture(file, place));
+    *picture = texels_of(picture_of(input_of(file.string(), place, input_files), place));
     set_place(*picture, place);
-    if (std::find(input_files.begin(), input_files.end(), file.string()) == input_files.end()) {
-      input_files.push_back(file.string());
-    }
   }
 }
 

@@ -236,7 +236,7 @@ inline ChoiceType<Extents> extents_choices() {
 /// Lights, surfaces and the object tree come besides: they are named or nested.
 template <class Visitor>
 void declare_scene(Visitor& visitor, Scene& scene) {
-  visitor.field({"name", "of the scene"}, scene.name, TextType{});
+  visitor.field({"name", "of the scene"}, scene.name, FileNameType{});
   declare_paper_time(visitor, scene);
   visitor.field({"extents", "that rays are compared with, all if not said; for counted work alone"},
                 scene.extents, extents_choices());

@@ -61,7 +61,8 @@ std::string description_file(const std::string& name, const std::vector<std::str
                              const YamlPlace* place) {
   const fs::path file = (base / name).lexically_normal();
   std::error_code ignored;
-  if (fs::is_regular_file(file, ignored)) {
+  // A pipe is as good as a file.
+  if (fs::exists(file, ignored) && !fs::is_directory(file, ignored)) {
     return file.string();
   }
   if (!is_shipped_name(name)) {

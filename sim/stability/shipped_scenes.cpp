@@ -31,7 +31,7 @@ std::vector<ShippedScene> shipped_scenes(const std::string& directory) {
     if (is_scene(entry.path())) {
       const fs::path name = entry.path().lexically_relative(directory).replace_extension();
       YamlNode written = load_yaml(entry.path().string());
-      std::vector<std::string> pictures;
+      std::vector<InputFile> pictures;
       inline_pictures(written, pictures);
       scenes.push_back(
           {name.generic_string(), entry.path().string(), written, read_scene(written)});

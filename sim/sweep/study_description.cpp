@@ -39,7 +39,7 @@ void give_machine(YamlNode& scene, const std::optional<YamlNode>& machine) {
 
 class Inliner {
  public:
-  Inliner(const std::string& data_directory, std::vector<std::string>& input_files)
+  Inliner(const std::string& data_directory, std::vector<InputFile>& input_files)
       : data_(data_directory), input_files_(input_files) {}
 
   void scene(YamlNode& scene, const std::optional<YamlNode>& machine) const {
@@ -63,7 +63,7 @@ class Inliner {
 
  private:
   const std::string& data_;
-  std::vector<std::string>& input_files_;
+  std::vector<InputFile>& input_files_;
 };
 
 /// The name of a file without directory and ending; another text as it is.
@@ -128,7 +128,7 @@ Study read_study(const std::string& file) {
 }
 
 void inline_files(Study& study, const std::string& data_directory,
-                  std::vector<std::string>& input_files) {
+                  std::vector<InputFile>& input_files) {
   check_paths(study);
   drop_replaced(study.changes);
   const Inliner inliner{data_directory, input_files};

@@ -14,7 +14,7 @@ namespace maquette::sim {
 /// checks that no parameter is given twice. A whole machine, scene or cost table among the values
 /// of an axis keeps its name there. `input_files` gets what was read. Throws DescriptionError.
 void inline_files(Study& study, const std::string& data_directory,
-                  std::vector<std::string>& input_files);
+                  std::vector<InputFile>& input_files);
 
 /// The study as a file that read_study reads back.
 [[nodiscard]] std::string write_study(Study study);

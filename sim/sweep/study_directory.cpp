@@ -7,6 +7,7 @@
 
 #include "sim/report/digest.hpp"
 #include "sim/report/run_directory.hpp"
+#include "sim/report/unfinished.hpp"
 #include "sim/sweep/study_description.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -39,6 +40,8 @@ StudyDirectory::StudyDirectory(const StudyPoints& points, fs::path path)
     check_same_study(file, identity);
   }
   create_run_directory(path_ / k_points);
+  clear_unfinished(path_);
+  clear_unfinished(path_ / k_points);
   write_files(path_, {{k_study_file, text}});
 }
 

@@ -27,7 +27,7 @@ void declare_element(Visitor& visitor, DerivedColumn& column) {
 template <class Visitor>
 void declare_element(Visitor& visitor, Plot& plot) {
   constexpr RealType k_number{RealDimension::number, {-1e300, 1e300}};
-  visitor.field({"name", "of the plot's files"}, plot.name, TextType{});
+  visitor.field({"name", "of the plot's files"}, plot.name, FileNameType{});
   visitor.field({"kind", "how the plot shows the table"}, plot.kind,
                 ChoiceType<PlotKind>{{{"lines", PlotKind::lines},
                                       {"tornado", PlotKind::tornado},
@@ -104,7 +104,7 @@ void declare_presentation(Visitor& visitor, Study& study) {
 
 template <class Visitor>
 void declare_study(Visitor& visitor, Study& study) {
-  visitor.field(required("name", "of the study"), study.name, TextType{});
+  visitor.field(required("name", "of the study"), study.name, FileNameType{});
   visitor.field({"sentence", "what the study asks"}, study.sentence, TextType{});
   declare_points(visitor, study);
   declare_presentation(visitor, study);

@@ -53,7 +53,7 @@ StudyPoints::StudyPoints(Study study, std::string data_directory)
       points_(study_, own_) {
   DescriptionSources sources;
   sources.data_directory = data_;
-  std::vector<std::string> input_files;
+  std::vector<InputFile> input_files;
   prototype_ = text_without_name(load_machine(sources, input_files));
 }
 

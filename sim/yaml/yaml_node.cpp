@@ -5,6 +5,12 @@
 
 namespace maquette::sim {
 
+namespace {
+
+constexpr std::size_t k_most_shown = 100;  // letters of a text in a message
+
+}  // namespace
+
 SourcePosition YamlPlace::position() const { return {file ? *file : std::string{}, line, column}; }
 
 const YamlNode* YamlNode::find(std::string_view key) const {
@@ -24,7 +30,7 @@ std::string YamlNode::kind_name() const {
     case YamlKind::null:
       return "nothing";
     case YamlKind::scalar:
-      return "`" + text + "`";
+      return "`" + (text.size() > k_most_shown ? text.substr(0, k_most_shown) + "..." : text) + "`";
     case YamlKind::sequence:
       return "a list";
     case YamlKind::mapping:

@@ -6,8 +6,6 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <sstream>
@@ -21,7 +19,7 @@ namespace {
 /// What is known of an anchored node: its copy and its size.
 struct Anchored {
   YamlNode node;
-  std::size_t nodes = 0;
+  std::size_t bytes = 0;
   int height = 0;
 };
 
@@ -29,7 +27,7 @@ struct Anchored {
 struct OpenNode {
   YamlNode node;
   YAML::anchor_t anchor = 0;
-  std::size_t first_node = 0;  ///< number of nodes before it
+  std::size_t bytes_before = 0;  ///< of all nodes before it
   int height = 1;
   bool awaits_value = false;  ///< of a mapping: the last entry has only its key
 };
@@ -73,14 +71,12 @@ class TreeBuilder : public YAML::EventHandler {
   void OnDocumentEnd() override {}
 
   void OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) override {
-    add_leaf(new_node(YamlKind::null, mark, {}), anchor);
+    add_leaf(new_node(YamlKind::null, mark, {}, {}), anchor);
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                 const std::string& value) override {
-    YamlNode node = new_node(YamlKind::scalar, mark, tag);
-    node.text = value;
-    add_leaf(std::move(node), anchor);
+    add_leaf(new_node(YamlKind::scalar, mark, tag, value), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
@@ -89,7 +85,7 @@ class TreeBuilder : public YAML::EventHandler {
       fail(mark, "an alias stands inside of what it refers to");
     }
     const Anchored& anchored = found->second;
-    count_nodes(mark, anchored.nodes);
+    count_bytes(place(mark), anchored.bytes);
     check_nesting(mark, anchored.height);
     add(YamlNode{anchored.node}, anchored.height);
   }
@@ -114,22 +110,29 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
  private:
-  YamlNode new_node(YamlKind kind, const YAML::Mark& mark, const std::string& tag) {
+  YamlNode new_node(YamlKind kind, const YAML::Mark& mark, const std::string& tag,
+                    const std::string& text) {
     if (!tag.empty() && tag != "?" && tag != "!") {
       fail(mark, "tag `" + tag + "`: tags are not used in descriptions");
     }
-    count_nodes(mark, 1);
     YamlNode node;
     node.kind = kind;
     node.place = place(mark);
+    node.text = text;
+    count_bytes(node.place, bytes_of(node));
     return node;
   }
 
-  void count_nodes(const YAML::Mark& mark, std::size_t nodes) {
-    nodes_ += nodes;
-    if (nodes_ > k_node_limit) {
-      fail(mark, "more than " + std::to_string(k_node_limit) +
-                     " values once aliases are replaced by what they stand for");
+  /// What a node takes in memory without those below it. An entry takes less than key and value.
+  static std::size_t bytes_of(const YamlNode& node) { return sizeof(YamlNode) + node.text.size(); }
+
+  /// Anchored nodes count again, since they are kept apart for their aliases.
+  void count_bytes(const YamlPlace& place, std::size_t bytes) {
+    bytes_ += bytes;
+    if (bytes_ > k_tree_limit_bytes) {
+      throw DescriptionError(place.position(),
+                             "more than " + std::to_string(k_tree_limit_bytes >> 20U) +
+                                 " MiB of values once aliases are replaced by what they stand for");
     }
   }
 
@@ -141,22 +144,25 @@ class TreeBuilder : public YAML::EventHandler {
 
   void open(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     check_nesting(mark, 1);
-    const std::size_t before = nodes_;
-    open_.push_back({new_node(kind, mark, tag), anchor, before});
+    const std::size_t before = bytes_;
+    open_.push_back({new_node(kind, mark, tag, {}), anchor, before});
   }
 
   void close() {
     OpenNode done = std::move(open_.back());
     open_.pop_back();
     if (done.anchor != YAML::NullAnchor) {
-      anchors_[done.anchor] = {done.node, nodes_ - done.first_node, done.height};
+      const std::size_t bytes = bytes_ - done.bytes_before;
+      count_bytes(done.node.place, bytes);
+      anchors_[done.anchor] = {done.node, bytes, done.height};
     }
     add(std::move(done.node), done.height);
   }
 
   void add_leaf(YamlNode node, YAML::anchor_t anchor) {
     if (anchor != YAML::NullAnchor) {
-      anchors_[anchor] = {node, 1, 0};
+      count_bytes(node.place, bytes_of(node));
+      anchors_[anchor] = {node, bytes_of(node), 0};
     }
     add(std::move(node), 0);
   }
@@ -192,7 +198,7 @@ class TreeBuilder : public YAML::EventHandler {
   YamlNode root_;
   std::vector<OpenNode> open_;
   std::map<YAML::anchor_t, Anchored> anchors_;
-  std::size_t nodes_ = 0;
+  std::size_t bytes_ = 0;
 };
 
 }  // namespace
@@ -216,14 +222,8 @@ YamlNode parse_yaml(const std::string& text, const std::string& file, int first_
   }
 }
 
-YamlNode load_yaml(const std::string& file) {
-  std::error_code ignored;
-  std::ifstream stream{file, std::ios::binary};
-  if (!stream || std::filesystem::is_directory(file, ignored)) {
-    throw DescriptionError("cannot read the file `" + file + "`");
-  }
-  const std::string text{std::istreambuf_iterator<char>{stream}, {}};
-  return parse_yaml(text, file);
-}
+YamlNode parse_yaml(const InputFile& input) { return parse_yaml(input.content, input.path); }
+
+YamlNode load_yaml(const std::string& file) { return parse_yaml(read_input(file)); }
 
 }  // namespace maquette::sim

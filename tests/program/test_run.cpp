@@ -154,11 +154,12 @@ TEST_CASE("A run directory holds nothing of the host but in its manifest") {
 TEST_CASE("An interrupted run ends with the statistics so far, marked partial") {
   const ScratchDirectory scratch;
   const std::string directory = (scratch / "run").string();
-  // The directory appears when the simulation begins; glass takes long enough to be found at work.
+  // The workplace appears when the simulation begins; glass takes long enough to be found at work.
   const std::string command = std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
                               "/scenes/photo2.yaml --threads 1 --quiet --outdir " + directory +
-                              " & pid=$!; while [ ! -d " + directory +
-                              " ]; do sleep 0.02; done; sleep 0.05; kill -INT $pid; wait $pid";
+                              " & pid=$!; until ls -d " + (scratch / ".run.unfinished-*").string() +
+                              " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
+                              "wait $pid";
   const int status = std::system(command.c_str());
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 130);

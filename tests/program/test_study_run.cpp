@@ -19,7 +19,7 @@ TEST_CASE("a point that fails is stored with its reason and the others go on") {
   study.changes = {parse_override("frame_memory.width=32pixels"),
                    parse_override("frame_memory.height=24pixels")};
   study.axes = {parse_axis("board.ram=128KiB,40KiB,96KiB")};
-  std::vector<std::string> input_files;
+  std::vector<maquette::sim::InputFile> input_files;
   inline_files(study, MAQUETTE_PROJECT_DIRECTORY, input_files);
   const StudyPoints points(study, MAQUETTE_PROJECT_DIRECTORY);
   CHECK_THROWS_AS(static_cast<void>(check_points(points)),

@@ -327,6 +327,31 @@ TEST_CASE("nesting without end and aliases without end are refused") {
   check_error(with_rest(laughs), "scene.yaml:", "once aliases are replaced");
 }
 
+TEST_CASE("aliases of long texts count by their bytes") {
+  std::string texts = "name: &text " + std::string(100'000, 'x') + "\ncopies: [*text";
+  for (int i = 0; i < 6000; ++i) {
+    texts += ", *text";
+  }
+  check_error(with_rest(texts + "]"), "scene.yaml:4:", "544 MiB of values");
+}
+
+TEST_CASE("a scene's name leads to no other place") {
+  for (const char* name : {"../x", "/x", "a/b", ".hidden", "-x", "\"a\\0b\"", "\"a\\nb\"", "a:b",
+                           "'~'", "\"a\\x7fb\"", "a*"}) {
+    INFO(name);
+    check_error(with_rest(std::string("name: ") + name),
+                "scene.yaml:3:7: name: ", "no name of a file");
+  }
+  check_error(with_rest("name: " + std::string(201, 'x')), "scene.yaml:3:7: ", "up to 200");
+  for (const char* name : {"photo 4 (a+b), c=d.1", "château", "_", "4"}) {
+    Pieces pieces;
+    pieces.rest = std::string("name: ") + name;
+    CHECK(load_text(pieces.text()).scene.name == name);
+  }
+  // Without a name results are called by the file.
+  CHECK(load_text(Pieces{}.text()).scene.name.empty());
+}
+
 TEST_CASE("aliases stand for what they refer to") {
   Pieces pieces;
   pieces.rest = "ambient: &grey [0.5, 0.5, 0.5]\nbackground: *grey";
