@@ -10,6 +10,7 @@
 
 #include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/exr_codec.hpp"
+#include "sim/report/digest.hpp"
 #include "sim/report/function_statistics.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -23,6 +24,7 @@ constexpr const char* k_preprocessing = "maquettePreprocessing";
 constexpr const char* k_preprocessing_functions = "maquettePreprocessingFunctions";
 constexpr const char* k_pixel_functions = "maquettePixelFunctions";
 constexpr const char* k_has_depth = "maquetteHasDepth";  // 1 or 0
+constexpr const char* k_digest = "maquetteDigest";       // of all that is read
 constexpr std::array<const char*, 3> k_colours = {"R", "G", "B"};
 constexpr std::array<unsigned, 3> k_colour_shifts = {16, 8, 0};
 constexpr std::uint32_t k_byte = 0xFF;
@@ -189,6 +191,26 @@ std::string read_pixels(const ExrImage& image, RecordedFrame& frame) {
   return {};
 }
 
+/// Over header and counts. The counts of a channel go in as their sum and one that weighs them by
+/// their place, since the file's compression has a check of its own for each block of them.
+std::string digest_of(const ExrImage& image) {
+  std::string all = fmt::format("{} {}", image.width, image.height);
+  for (const auto& [name, text] : image.attributes) {
+    all += name == k_digest ? "" : fmt::format("\n{} {}", name, text);
+  }
+  const std::size_t channels = empty_channels().size();
+  for (std::size_t i = 0; i < channels; ++i) {
+    std::uint64_t sum = 0;
+    std::uint64_t sum_of_sums = 0;
+    for (const std::uint32_t value : image.channels[i].values) {
+      sum += value;
+      sum_of_sums += sum;
+    }
+    all += fmt::format("\n{} {} {}", image.channels[i].name, sum, sum_of_sums);
+  }
+  return sha1_of(all.data(), all.size());
+}
+
 }  // namespace
 
 std::string encode_record(const RecordedFrame& frame) {
@@ -213,6 +235,7 @@ std::string encode_record(const RecordedFrame& frame) {
       {k_preprocessing, joined(frame.preprocessing.counts)},
       {k_preprocessing_functions, joined(numbers_of(frame.by_function.preprocessing))},
       {k_pixel_functions, joined(numbers_of(frame.by_function.pixels))}};
+  image.attributes[k_digest] = digest_of(image);
   std::string bytes;
   const std::string error = codec().encode(image, bytes);
   if (!error.empty()) {
@@ -224,14 +247,17 @@ std::string encode_record(const RecordedFrame& frame) {
 RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
   ExrImage image;
   image.channels = empty_channels();
-  image.attributes = {{k_scene, {}},          {k_firmware, {}},
-                      {k_has_depth, {}},      {k_zone, {}},
-                      {k_preprocessing, {}},  {k_preprocessing_functions, {}},
-                      {k_pixel_functions, {}}};
+  image.attributes = {{k_scene, {}},           {k_firmware, {}},
+                      {k_has_depth, {}},       {k_zone, {}},
+                      {k_preprocessing, {}},   {k_preprocessing_functions, {}},
+                      {k_pixel_functions, {}}, {k_digest, {}}};
   RecordedFrame frame;
   std::string error = codec().decode(bytes, image);
   if (error.empty()) {
     error = read_header(image, frame);
+  }
+  if (error.empty() && digest_of(image) != image.attributes.at(k_digest)) {
+    error = "is damaged: its digest is of another content";
   }
   if (error.empty()) {
     error = read_pixels(image, frame);
