@@ -1,8 +1,11 @@
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "sim/run/forked_jobs.hpp"
 #include "sim/run/interruption.hpp"
@@ -58,4 +61,51 @@ TEST_CASE("an interruption ends the running jobs and starts no other") {
   };
   CHECK_FALSE(run_forked(jobs));
   CHECK(ended == std::set<std::size_t>{0, 1});
+}
+
+TEST_CASE("an end that cannot be told ends the other jobs too") {
+  const Interruption interruption;
+  ForkedJobs jobs;
+  jobs.count = 4;
+  jobs.processes = 3;
+  jobs.run = [](std::size_t job) {
+    if (job > 0) {
+      ::pause();
+    }
+    return 0;
+  };
+  jobs.ended = [](std::size_t, const JobEnd&) { throw std::runtime_error("the disk is full"); };
+  CHECK_THROWS_WITH(run_forked(jobs), "the disk is full");
+  CHECK(::waitpid(-1, nullptr, WNOHANG) == -1);  // nobody is left
+}
+
+TEST_CASE("jobs end when their parent is killed") {
+  std::array<int, 2> ends{};
+  REQUIRE(::pipe(ends.data()) == 0);
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    const Interruption interruption;
+    ::close(ends[0]);
+    ForkedJobs jobs;
+    jobs.count = 2;
+    jobs.processes = 2;
+    jobs.run = [&ends](std::size_t) {
+      const char started = 's';
+      static_cast<void>(::write(ends[1], &started, 1));
+      ::pause();
+      return 0;
+    };
+    jobs.ended = [](std::size_t, const JobEnd&) {};
+    static_cast<void>(run_forked(jobs));
+    ::_exit(0);
+  }
+  ::close(ends[1]);
+  char started = 0;
+  REQUIRE(::read(ends[0], &started, 1) == 1);
+  REQUIRE(::read(ends[0], &started, 1) == 1);
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  // The pipe ends when the last of those that can write into it does.
+  CHECK(::read(ends[0], &started, 1) == 0);
+  ::close(ends[0]);
 }
