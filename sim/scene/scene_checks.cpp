@@ -64,6 +64,21 @@ void check_texture(const Surface& surface, const YamlNode& node) {
   }
 }
 
+/// Whether a ray may go on through one of the bodies below an object; surfaces that none of them
+/// has do not matter.
+bool has_transparent_body(const Object& object, const std::string& inherited,
+                          const std::vector<Surface>& surfaces) {
+  const std::string& name = object.surface.empty() ? inherited : object.surface;
+  const auto has_name = [&name](const Surface& surface) { return surface.name == name; };
+  const auto goes_through = [&](const Object& child) {
+    return has_transparent_body(child, name, surfaces);
+  };
+  const auto own = std::find_if(surfaces.begin(), surfaces.end(), has_name);
+  return object.primitive
+             ? own != surfaces.end() && own->transparent
+             : std::any_of(object.children.begin(), object.children.end(), goes_through);
+}
+
 /// The most rays that may follow one through transparent bodies: each is followed by two, and those
 /// of one depth together weigh no more than the first.
 double most_rays(const RayTree& tree) {
@@ -163,9 +178,8 @@ void check_surface(const Surface& surface, const YamlNode& node) {
 
 void check_ray_tree(const Scene& scene, const YamlNode& node) {
   constexpr double k_most_rays = 1e7;
-  const bool is_binary = std::any_of(scene.surfaces.begin(), scene.surfaces.end(),
-                                     [](const Surface& surface) { return surface.transparent; });
-  if (is_binary && !(most_rays(scene.ray_tree) <= k_most_rays)) {
+  if (has_transparent_body(scene.object, "", scene.surfaces) &&
+      !(most_rays(scene.ray_tree) <= k_most_rays)) {
     fail(node, "ray_tree",
          "with a transparent surface more than ten million rays may follow one; a larger "
          "minimum_weight or a smaller depth is allowed");

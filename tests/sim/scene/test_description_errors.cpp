@@ -224,6 +224,16 @@ TEST_CASE("trees of rays that would not end are refused") {
   CHECK(with_tree("{depth: 64, minimum_weight: 0.00002}").empty());
   CHECK(with_tree("{depth: 16, minimum_weight: 0}").empty());
   CHECK(with_rest("ray_tree: {depth: 1000, minimum_weight: 0}").empty());
+  // A surface that no body has does not count, one that it gets from the object above does.
+  glass.red += "\n  blue: {diffuse: 1}";
+  glass.object =
+      "object: {surface: red, union: [{sphere: {radius: 1}, surface: blue}, "
+      "{box: {size: 1}, surface: blue}]}";
+  CHECK(with_tree("{depth: 1000, minimum_weight: 0}").empty());
+  glass.object =
+      "object: {surface: red, union: [{sphere: {radius: 1}, surface: blue}, "
+      "{union: [{box: {size: 1}}, {box: {size: 2}, surface: blue}]}]}";
+  check_error(with_tree("{depth: 1000, minimum_weight: 0}"), "scene.yaml:3:", "depth");
 }
 
 TEST_CASE("surfaces that cannot be are refused") {
