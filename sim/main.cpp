@@ -1,8 +1,13 @@
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 
+#include "sim/command_line/common_options.hpp"
 #include "sim/command_line/program.hpp"
+#include "sim/run/interruption.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace {
@@ -26,14 +31,26 @@ int run_program(int argc, char** argv) {
   return exit_code;
 }
 
+/// What was printed is a result: a full device or a closed pipe must not pass for success.
+int flushed(int exit_code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
+    return exit_code;
+  }
+  fmt::print(stderr, "maquette: standard output cannot be written: {}\n", std::strerror(errno));
+  return k_exit_failure;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    return run_program(argc, argv);
+    return flushed(run_program(argc, argv));
   } catch (const maquette::sim::DescriptionError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return k_exit_bad_input;
+  } catch (const maquette::sim::Interrupted&) {
+    fmt::print(stderr, "interrupted before the simulation began; nothing is written\n");
+    return maquette::sim::k_exit_interrupted;
   } catch (const std::exception& error) {
     fmt::print(stderr, "maquette: {}\n", error.what());
     return k_exit_failure;

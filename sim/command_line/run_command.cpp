@@ -182,13 +182,13 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   TraceFiles trace_files(std::move(trace));
   request.lines = trace_files.lines();
 
+  const Interruption interruption;
   const std::optional<RecordedFrame> record =
       record_for(options, description, results, request.threads);
   request.record = record ? &*record : nullptr;
   // Loading takes about as long as many a simulation: with threads to spare they go side by side.
   const std::future<void> png =
       std::async(request.threads > 1 ? std::launch::async : std::launch::deferred, prepare_png);
-  const Interruption interruption;
   SimulationResult result;
   {
     Progress progress(!options.quiet);

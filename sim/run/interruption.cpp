@@ -29,4 +29,10 @@ Interruption::~Interruption() {
 
 bool Interruption::is_requested() { return interruption_requested != 0; }
 
+void Interruption::end_if_requested() {
+  if (is_requested()) {
+    throw Interrupted();
+  }
+}
+
 }  // namespace maquette::sim

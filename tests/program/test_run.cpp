@@ -151,15 +151,44 @@ TEST_CASE("A run directory holds nothing of the host but in its manifest") {
   CHECK(files == 4);
 }
 
+TEST_CASE("A run that is interrupted while it makes its record leaves nothing") {
+  const ScratchDirectory scratch;
+  const std::string command = std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
+                              "/scenes/photo2.yaml --threads 1 --quiet --processor recorded " +
+                              "--outdir " + (scratch / "run").string() +
+                              " 2>/dev/null & pid=$!; until ls -d " +
+                              (scratch / ".run.unfinished-*").string() +
+                              " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
+                              "wait $pid";
+  const int status = std::system(command.c_str());
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 130);
+  CHECK(std::filesystem::is_empty(scratch.path()));
+}
+
+TEST_CASE("What cannot be printed is an error") {
+  const ScratchDirectory scratch;
+  const std::string program = MAQUETTE_PROGRAM;
+  const std::string errors = (scratch / "errors").string();
+  for (const char* arguments : {" describe photo4", " --help", " --version"}) {
+    INFO(arguments);
+    const int status = std::system((program + arguments + " >/dev/full 2>" + errors).c_str());
+    CHECK(WEXITSTATUS(status) == 1);
+    CHECK_THAT(content_of(errors), Catch::Matchers::ContainsSubstring("No space left"));
+  }
+}
+
 TEST_CASE("An interrupted run ends with the statistics so far, marked partial") {
   const ScratchDirectory scratch;
   const std::string directory = (scratch / "run").string();
-  // The workplace appears when the simulation begins; glass takes long enough to be found at work.
-  const std::string command = std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
-                              "/scenes/photo2.yaml --threads 1 --quiet --outdir " + directory +
-                              " & pid=$!; until ls -d " + (scratch / ".run.unfinished-*").string() +
-                              " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
-                              "wait $pid";
+  // The workplace appears when the simulation begins; glass takes long enough to be found at work,
+  // and costs of tables are not told by pixels before it.
+  const std::string command =
+      std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
+      "/scenes/photo2.yaml --threads 1 --quiet --set board.costs=tables --outdir " + directory +
+      " & pid=$!; until ls -d " + (scratch / ".run.unfinished-*").string() +
+      " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
+      "wait $pid";
   const int status = std::system(command.c_str());
   REQUIRE(WIFEXITED(status));
   CHECK(WEXITSTATUS(status) == 130);
