@@ -72,7 +72,7 @@ void InstructionProcessor::run(BoardProgram& program) {
     spend(event);
     switch (event.kind) {
       case ProgramEvent::Kind::access:
-        access(event.request, program);
+        access(event, program);
         break;
       case ProgramEvent::Kind::synthesis:
         preprocessing_ = spent_;
@@ -93,7 +93,8 @@ void InstructionProcessor::spend(const ProgramEvent& event) {
   spent_ = elapsed;
 }
 
-void InstructionProcessor::access(const BusRequest& request, BoardProgram& program) {
+void InstructionProcessor::access(const ProgramEvent& event, BoardProgram& program) {
+  const BusRequest& request = event.request;
   switch (request.kind) {
     case BusRequest::Kind::fetch:
     case BusRequest::Kind::read:
@@ -103,9 +104,23 @@ void InstructionProcessor::access(const BusRequest& request, BoardProgram& progr
       program.answer(test_and_set(request));
       break;
     case BusRequest::Kind::write:
-      write(request);
+      if (request.address >= kept_.base && request.address < kept_.end) {
+        keep(event);
+      } else {
+        write(request);
+      }
       break;
   }
+}
+
+void InstructionProcessor::keep(const ProgramEvent& event) {
+  const bool is_first = event.request.address % FrameMemory::k_pixel_bytes == 0;
+  time_.add(is_first ? kept_.clocks.first_word : kept_.clocks.second_word);
+  ProgramEvent again = event;
+  again.work = {};
+  spend(again);
+  processor_.pass();
+  written_(event.request.address, event.request.value);
 }
 
 std::uint32_t InstructionProcessor::read(const BusRequest& request) {

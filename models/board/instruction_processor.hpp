@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "models/board/board_program.hpp"
+#include "models/board/own_pixels.hpp"
 #include "models/board/processor.hpp"
 #include "models/board/program_time.hpp"
 #include "models/board/shared_memory.hpp"
@@ -28,6 +29,11 @@ class InstructionProcessor {
   /// for another reason than that it has come to its end.
   void run(BoardProgram& program);
 
+  /// Has words that are written from `base` to `end` stay on the board, at these clocks of its RAM.
+  void keep_writes(std::uint64_t base, std::uint64_t end, const OwnPixelClocks& clocks) {
+    kept_ = {base, end, clocks};
+  }
+
   /// From the start to the first pixel's work.
   [[nodiscard]] Duration preprocessing() const { return preprocessing_; }
   [[nodiscard]] std::int64_t locks_taken() const { return locks_taken_; }
@@ -36,8 +42,16 @@ class InstructionProcessor {
   [[nodiscard]] std::int64_t database_words() const { return database_words_; }
 
  private:
+  /// Addresses at which writes stay on the board.
+  struct KeptWrites {
+    std::uint64_t base = 0;
+    std::uint64_t end = 0;
+    OwnPixelClocks clocks{};
+  };
+
   void spend(const ProgramEvent& event);
-  void access(const mc68000::BusRequest& request, BoardProgram& program);
+  void access(const ProgramEvent& event, BoardProgram& program);
+  void keep(const ProgramEvent& event);
   void write(const mc68000::BusRequest& request);
   std::uint32_t read(const mc68000::BusRequest& request);
   std::uint32_t test_and_set(const mc68000::BusRequest& request);
@@ -48,6 +62,7 @@ class InstructionProcessor {
   Processor& processor_;
   StarvationWatch watch_;
   Observer written_;
+  KeptWrites kept_;
   Duration spent_{};
   Duration preprocessing_{};
   BusBurst read_{tlm::TLM_READ_COMMAND};

@@ -5,30 +5,6 @@
 
 namespace maquette::models {
 
-namespace {
-
-int nearest_to_square(int boards) {
-  int columns = 1;
-  while (columns * columns < boards || boards % columns != 0) {
-    ++columns;
-  }
-  return columns;
-}
-
-}  // namespace
-
-Interlace interlace_of(const AllotmentParameters& parameters, int boards) {
-  const auto rest = [boards](int part) { return part < 1 ? 0 : boards / part; };
-  const int columns = parameters.lines ? rest(*parameters.lines) : nearest_to_square(boards);
-  Interlace interlace{parameters.columns.value_or(columns), 0};
-  interlace.lines = parameters.lines.value_or(rest(interlace.columns));
-  if (interlace.columns < 1 || interlace.lines < 1 ||
-      static_cast<std::int64_t>(interlace.columns) * interlace.lines != boards) {
-    throw std::invalid_argument("columns times lines of an interlace are the number of boards");
-  }
-  return interlace;
-}
-
 InterlacedPixels::InterlacedPixels(const Interlace& interlace, const PixelRectangle& zone)
     : interlace_(interlace), zone_(zone), first_pixels_{0} {
   for (int unit = 0; unit < interlace.columns * interlace.lines; ++unit) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "models/board/allotment_parameters.hpp"
@@ -25,7 +26,20 @@ struct Interlace {
 /// is left for the lines that are; where neither is, the smallest divisor of the number of boards
 /// whose square is not below it (4 boards: 2 x 2; 8: 4 x 2; 7: 7 x 1). Throws std::invalid_argument
 /// when columns times lines cannot be the number of boards.
-[[nodiscard]] Interlace interlace_of(const AllotmentParameters& parameters, int boards);
+[[nodiscard]] inline Interlace interlace_of(const AllotmentParameters& parameters, int boards) {
+  const auto rest = [boards](int part) { return part < 1 ? 0 : boards / part; };
+  int columns = 1;
+  while (columns * columns < boards || boards % columns != 0) {
+    ++columns;
+  }
+  columns = parameters.columns.value_or(parameters.lines ? rest(*parameters.lines) : columns);
+  const Interlace interlace{columns, parameters.lines.value_or(rest(columns))};
+  if (interlace.columns < 1 || interlace.lines < 1 ||
+      static_cast<std::int64_t>(interlace.columns) * interlace.lines != boards) {
+    throw std::invalid_argument("columns times lines of an interlace are the number of boards");
+  }
+  return interlace;
+}
 
 /// The pixels of a zone in an interlace: those of board 0, then those of board 1 and so on, each
 /// row by row.

@@ -41,6 +41,7 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
       processor_(parameters, bus_master, this->name()),
       cursor_(share),
       writer_(site.frame, site.bus.word_bytes()),
+      own_pixels_(site.own_pixels),
       frame_(site.frame),
       shared_(site.shared) {
   ram_port.register_b_transport(this, &Kvm02::access_ram);
@@ -59,6 +60,9 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
       processor_.account(writer_.burst().transaction, end);
       return gather() ? std::optional(processor_.computing()) : std::nullopt;
     };
+  }
+  if (own_pixels_) {  // which are shown in the order of time
+    processor_.promise_nothing();
   }
   SC_HAS_PROCESS(Kvm02);
   SC_THREAD(run);
@@ -82,7 +86,11 @@ void Kvm02::run() {
   const Instant started = processor_.now();
   compute(source_.preprocessing());
   preprocessing_ = processor_.now() - started;
-  if (claims_) {
+  if (own_pixels_) {
+    if (cursor_.enter(share_.first)) {
+      keep_pixels(*own_pixels_);
+    }
+  } else if (claims_) {
     while (cursor_.enter(claims_->next())) {
       write_pixels();
     }
@@ -114,6 +122,9 @@ void Kvm02::execute(const ProgramEntry& entry, const HostRoutines& host_routines
   executing_.emplace(
       parameters_, bus_, shared_, processor_,
       [this](std::uint64_t address, std::uint32_t value) { check_written(address, value); });
+  if (own_pixels_) {
+    executing_->keep_writes(frame_.base, shared_.base, own_pixels_->clocks(parameters_));
+  }
 }
 
 void Kvm02::run_program() {
@@ -149,12 +160,39 @@ void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
                            std::to_string(position.column) + ", " + std::to_string(position.row) +
                            ") than the firmware");
   }
+  if (own_pixels_) {
+    own_pixels_->keep(position, bytes, processor_.now(), ram_);
+  }
   ++pixels_;
   work_.add(pixel.work);
   work_.add(pixel.rays);
 }
 
 // ---- pixels of the source ----
+
+// Of the pixel a copy: other boards ask for theirs while this one reads a shared database.
+SynthesizedPixel Kvm02::synthesize() {
+  SynthesizedPixel pixel = source_.pixel(cursor_.take());
+  compute(pixel.work);
+  ++pixels_;
+  work_.add(pixel.work);
+  work_.add(pixel.rays);
+  return pixel;
+}
+
+// Two words, with the time between them that they have on the bus as well.
+void Kvm02::keep_pixels(const OwnPixels& own_pixels) {
+  const OwnPixelClocks clocks = own_pixels.clocks(parameters_);
+  const Duration writing = processor_.time_of(clocks.first_word + clocks.second_word) +
+                           processor_.clock().times(parameters_.word_gap_clocks);
+  while (cursor_.has_pixel()) {
+    const SynthesizedPixel pixel = synthesize();
+    processor_.compute(writing);
+    processor_.pass();
+    own_pixels.keep({pixel.column, pixel.row}, frame_.format.written(pixel.rgb, pixel.depth),
+                    processor_.now(), ram_);
+  }
+}
 
 // Synthesises pixels until some are due to be written; false when none is left.
 //
@@ -166,12 +204,7 @@ void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
 bool Kvm02::gather() {
   writer_.clear();
   while (cursor_.has_pixel()) {
-    // A copy: other boards ask for theirs while this one reads a shared database.
-    const SynthesizedPixel pixel = source_.pixel(cursor_.take());
-    compute(pixel.work);
-    ++pixels_;
-    work_.add(pixel.work);
-    work_.add(pixel.rays);
+    const SynthesizedPixel pixel = synthesize();
     writer_.append(pixel);
     if (is_due(pixel.row)) {
       writer_.aim();

@@ -13,6 +13,7 @@
 #include "models/board/database_reader.hpp"
 #include "models/board/instruction_processor.hpp"
 #include "models/board/kvm02_parameters.hpp"
+#include "models/board/own_pixels.hpp"
 #include "models/board/pixel_source.hpp"
 #include "models/board/pixel_writer.hpp"
 #include "models/board/processor.hpp"
@@ -30,11 +31,12 @@ struct BoardSite {
   VersaBus& bus;
   FrameWindow frame;
   SharedWindow shared;
+  std::optional<OwnPixels> own_pixels = {};  ///< when the board keeps the pixels that it owns
 };
 
 /// A KVM02 board (M68KVM02): a processor that spends the time of its work and writes its pixels as
-/// a bus master, and 128 KiB of RAM with a second port on the bus. Whoever makes it binds both
-/// sockets and tells the board its number on the bus.
+/// a bus master, or keeps them, and 128 KiB of RAM with a second port on the bus. Whoever makes it
+/// binds both sockets and tells the board its number on the bus.
 ///
 /// Assumption: nobody uses the second port while the board computes, so the two do not conflict.
 class Kvm02 : public sc_core::sc_module {
@@ -77,10 +79,12 @@ class Kvm02 : public sc_core::sc_module {
 
  private:
   void run();
+  [[nodiscard]] SynthesizedPixel synthesize();
   [[nodiscard]] bool gather();
   [[nodiscard]] bool is_due(int row);
   void compute(const firmware::Work& work);
   void write_pixels();
+  void keep_pixels(const OwnPixels& own_pixels);
   void finish();
   void run_program();
   void check_written(std::uint64_t address, std::uint32_t value);
@@ -102,6 +106,8 @@ class Kvm02 : public sc_core::sc_module {
   PixelWriter writer_;
   std::optional<UnitClaims> claims_;        // of units on demand
   std::optional<DatabaseReader> database_;  // of a shared one
+
+  std::optional<OwnPixels> own_pixels_;  // of a board that keeps them
 
   // Of a board that executes its program.
   FrameWindow frame_;

@@ -20,7 +20,7 @@ Processor::Processor(const Kvm02Parameters& parameters,
 void Processor::start() { started_ = accounted_ = kernel_now(); }
 
 void Processor::transact(BusBurst& burst) {
-  burst.transaction.runs_ahead = true;
+  burst.transaction.runs_ahead = promises_;
   sc_core::sc_time delay = to_sc_time(computing_);
   bus_master_->b_transport(burst.payload, delay);
   require_answer(burst.payload, burst.transaction, name_);
@@ -50,11 +50,15 @@ void Processor::account(const BusTransaction& transaction, Instant end) {
   accounted_ = end;
 }
 
-void Processor::finish() {
+void Processor::pass() {
   sc_core::wait(to_sc_time(computing_));
   states_.compute += computing_;
   computing_ = Duration::zero();
   accounted_ = kernel_now();
+}
+
+void Processor::finish() {
+  pass();
   states_.finished = accounted_;
 }
 

@@ -37,6 +37,12 @@ class Processor {
   }
   void compute(Clocks clocks) { compute(clock_.times(clocks)); }
 
+  /// How long so many clocks take, with the refresh of the RAM.
+  [[nodiscard]] Duration time_of(Clocks clocks) const {
+    constexpr std::int64_t k_milliclocks = 1000;
+    return cost_.elapsed(k_milliclocks * clocks);
+  }
+
   /// How long `work` takes, of whose loads `bus_loads` get their datum over the bus. It is to be
   /// computed next.
   [[nodiscard]] Duration take_on(const firmware::Work& work, std::int64_t bus_loads = 0) {
@@ -55,6 +61,12 @@ class Processor {
   /// Puts a burst that has ended into the states. `transact` does it for a burst that nothing
   /// follows up.
   void account(const BusTransaction& transaction, Instant end);
+
+  /// Computes for as long as is due; returns at its end. Only of a processor that does not promise.
+  void pass();
+
+  /// From now on it does not promise the bus to request as soon as the kernel wakes it.
+  void promise_nothing() { promises_ = false; }
 
   /// Computes for as long as is due: its last work has ended.
   void finish();
@@ -82,6 +94,7 @@ class Processor {
   std::optional<Instant> started_;
   Instant accounted_{};
   Duration computing_{};
+  bool promises_ = true;
   BoardStatistics states_;
 };
 

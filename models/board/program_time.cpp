@@ -8,7 +8,6 @@ namespace maquette::models {
 
 namespace {
 
-constexpr std::int64_t k_milliclocks = 1'000;
 constexpr std::int64_t k_largest = std::numeric_limits<std::int64_t>::max();
 /// Of an access without wait states; off the board the bus tells how long it takes.
 constexpr std::uint64_t k_access_clocks = 4;
@@ -43,8 +42,8 @@ Duration ProgramTime::elapsed(const mc68000::Account& account, const firmware::W
   const std::int64_t clocks = static_cast<std::int64_t>(use.clocks) +
                               read_wait_ * static_cast<std::int64_t>(use.reads) +
                               write_wait_ * static_cast<std::int64_t>(use.writes);
-  work_milliclocks_ += cost_.milliclocks(work);
-  const Wide milliclocks = static_cast<Wide>(clocks) * k_milliclocks + work_milliclocks_;
+  added_milliclocks_ += cost_.milliclocks(work);
+  const Wide milliclocks = static_cast<Wide>(clocks) * k_milliclocks + added_milliclocks_;
   return milliclocks < k_largest ? cost_.elapsed(static_cast<std::int64_t>(milliclocks))
                                  : Duration::max();
 }

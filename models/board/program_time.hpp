@@ -27,11 +27,16 @@ class ProgramTime {
   /// routines did since the last call. Duration::max() when it is longer.
   [[nodiscard]] Duration elapsed(const mc68000::Account& account, const firmware::Work& work);
 
+  /// Clocks besides those of the account, from here on.
+  void add(Clocks clocks) { added_milliclocks_ += k_milliclocks * static_cast<Wide>(clocks); }
+
  private:
+  static constexpr std::int64_t k_milliclocks = 1'000;
+
   WorkCost cost_;
   Clocks read_wait_;
   Clocks write_wait_;
-  Wide work_milliclocks_ = 0;
+  Wide added_milliclocks_ = 0;  // of the host's routines, and as told
 };
 
 }  // namespace maquette::models

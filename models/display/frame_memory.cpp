@@ -1,6 +1,7 @@
 #include "models/display/frame_memory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "models/bus/bus_transaction.hpp"
@@ -41,7 +42,7 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
   if (compares_depth(parameters) && parameters.depth_bits == 0) {
     throw std::invalid_argument("depths that are compared need depth planes");
   }
-  if (parameters.video_priority) {
+  if (has_video_slots(parameters)) {
     slots_.emplace(timing, parameters);
   }
   const auto pixels =
@@ -54,7 +55,7 @@ FrameMemory::FrameMemory(const sc_core::sc_module_name& name,
   if (parameters.ports < 1) {
     throw std::invalid_argument("the frame memory has at least one bus port");
   }
-  bus_ports.init(static_cast<std::size_t>(parameters.ports));
+  bus_ports.init(is_distributed(parameters) ? 0 : static_cast<std::size_t>(parameters.ports));
   for (auto& port : bus_ports) {
     port.register_b_transport(this, &FrameMemory::b_transport);
     port.register_transport_dbg(this, &FrameMemory::transport_dbg);
@@ -86,10 +87,26 @@ void FrameMemory::b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_tim
     read(address, payload.get_data_ptr(), bytes);
     return;
   }
+  take(address, payload.get_data_ptr(), bytes, done);
+}
+
+void FrameMemory::keep(int column, int row, std::uint32_t written, Instant instant) {
+  const std::uint64_t pixel =
+      static_cast<std::uint64_t>(row) * static_cast<std::uint64_t>(parameters_.width) +
+      static_cast<std::uint64_t>(column);
+  std::array<unsigned char, k_pixel_bytes> bytes{};
+  for (unsigned byte = 0; byte < k_pixel_bytes; ++byte) {
+    bytes[byte] = static_cast<unsigned char>(written >> byte_shift(byte));
+  }
+  take(pixel * k_pixel_bytes, bytes.data(), k_pixel_bytes, instant);
+}
+
+void FrameMemory::take(std::uint64_t address, const unsigned char* data, unsigned bytes,
+                       Instant done) {
   if (compares_depth(parameters_)) {
-    write_unless_farther(address, payload.get_data_ptr(), bytes);
+    write_unless_farther(address, data, bytes);
   } else {
-    write(address, payload.get_data_ptr(), bytes);
+    write(address, data, bytes);
   }
   count_write(address, bytes);
   if (log_) {

@@ -38,6 +38,12 @@ struct PixelWriteRecord {
 /// reading it takes another access; there is one place to wait in, so that the words of two pixels
 /// must not mix, for which whoever builds the machine cares.
 ///
+/// Where boards keep the pixels that they own it is what the video reader gathers from them, and
+/// has no bus ports. Assumption: the reader has a bus of its own to their RAMs, as Fuchs and
+/// Johnson's (paper, [16]), and there dynamic RAMs with a serial port (in Texas Instruments' patent
+/// EP 0107010 of 1982), so that a pixel is shown as soon as it is written and no slot delays
+/// anybody.
+///
 /// Assumption: before the frame the video port clears the memory to the background during one
 /// field, at no cost to the boards. A write is done at the end of its memory access.
 class FrameMemory : public sc_core::sc_module {
@@ -69,6 +75,10 @@ class FrameMemory : public sc_core::sc_module {
   /// Every write in the order of time. Throws std::logic_error when no log was kept.
   [[nodiscard]] const std::vector<PixelWriteRecord>& log() const;
 
+  /// A board that owns a pixel has written it: `written` as PixelFormat has it, from `instant` on.
+  /// In the order of time.
+  void keep(int column, int row, std::uint32_t written, Instant instant);
+
   /// Every access to the planes from now on is shown to `observer` when it is known, in the order
   /// in which those of one port follow one another.
   void observe(std::function<void(const MemoryAccess&)> observer) {
@@ -88,6 +98,7 @@ class FrameMemory : public sc_core::sc_module {
   void remember(const PixelWriteRecord& write);
   [[nodiscard]] Instant access_end(Instant asked) const;
   [[nodiscard]] Instant end_of(const tlm::tlm_generic_payload& payload, Instant asked) const;
+  void take(std::uint64_t address, const unsigned char* data, unsigned bytes, Instant done);
   void write(std::uint64_t address, const unsigned char* data, unsigned bytes);
   void write_unless_farther(std::uint64_t address, const unsigned char* data, unsigned bytes);
   void count_write(std::uint64_t address, unsigned bytes);

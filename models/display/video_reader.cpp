@@ -39,7 +39,7 @@ VideoReader::VideoReader(const sc_core::sc_module_name& name, const VideoParamet
       standard_(standard),
       timing_(standard, parameters.width, parameters.height),
       watch_(std::move(watch)) {
-  if (parameters.video_priority) {
+  if (has_video_slots(parameters)) {
     slots_.emplace(timing_, parameters);
   }
   SC_HAS_PROCESS(VideoReader);

@@ -48,6 +48,24 @@ void add_images(std::uint64_t base, const std::vector<unsigned char>& bytes,
 
 std::string bus_name(std::size_t port) { return port == 0 ? "bus" : "bus" + std::to_string(port); }
 
+PixelStore pixel_store(const MachineParameters& parameters, const FrameSetup& setup) {
+  return {interlace_of(parameters.allotment, static_cast<int>(parameters.boards.size())),
+          parameters.frame_memory.width, parameters.frame_memory.height, setup.pixel_address};
+}
+
+void check_distribution(const MachineParameters& parameters, const FrameSetup& setup) {
+  const AllotmentParameters& allotment = parameters.allotment;
+  if (allotment.order != Allotment::interlaced || is_claimed(allotment.assignment) ||
+      parameters.frame_memory.ports > 1 || keeps_line(parameters.board.pixel_write)) {
+    throw std::invalid_argument(
+        "boards keep the pixels of a fixed interlace alone, one by one, on one backplane");
+  }
+  if (pixel_store(parameters, setup).bytes() + setup.pixel_address >
+      static_cast<std::uint64_t>(parameters.board.ram_bytes)) {
+    throw std::invalid_argument("a board's own pixels do not fit into its RAM");
+  }
+}
+
 void check(const MachineParameters& parameters, const FrameSetup& setup) {
   const PixelRectangle& zone = setup.useful_zone;
   if (zone.column0 < 0 || zone.row0 < 0 || zone.width < 0 || zone.height < 0 ||
@@ -63,6 +81,9 @@ void check(const MachineParameters& parameters, const FrameSetup& setup) {
   }
   if (is_shared(parameters.board.database) == setup.shared_database.empty()) {
     throw std::invalid_argument("a shared database must be given, and only when it is shared");
+  }
+  if (is_distributed(parameters.frame_memory)) {
+    check_distribution(parameters, setup);
   }
   for (const auto& image : setup.images) {
     if (setup.image_address + image.size() > static_cast<std::size_t>(parameters.board.ram_bytes)) {
@@ -94,6 +115,9 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
       frame_memory_("frame_memory", parameters.frame_memory, timing_, setup.background,
                     setup.keep_log) {
   check(parameters, setup);
+  if (is_distributed(parameters.frame_memory)) {
+    own_pixels_ = pixel_store(parameters, setup);
+  }
   const MachineAddresses addresses = machine_addresses(parameters, setup.shared_database.size());
   std::vector<Backplane> backplanes = make_buses(parameters, addresses);
   if (shares_something(parameters)) {
@@ -127,11 +151,14 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
 std::vector<Backplane> CcettMachine::make_buses(const MachineParameters& parameters,
                                                 const MachineAddresses& addresses) {
   std::vector<Backplane> backplanes;
-  for (std::size_t port = 0; port < frame_memory_.bus_ports.size(); ++port) {
+  const auto ports = static_cast<std::size_t>(parameters.frame_memory.ports);
+  for (std::size_t port = 0; port < ports; ++port) {
     buses_.push_back(std::make_unique<VersaBus>(bus_name(port).c_str(), parameters.bus));
     VersaBus& bus = *buses_.back();
-    bus.attach_slave(frame_memory_.bus_ports[port],
-                     {frame_memory_.name(), addresses.frame.base, frame_memory_.size_bytes()});
+    if (!own_pixels_) {
+      bus.attach_slave(frame_memory_.bus_ports[port],
+                       {frame_memory_.name(), addresses.frame.base, frame_memory_.size_bytes()});
+    }
     backplanes.push_back({bus, {}, {}});
   }
   return backplanes;
@@ -158,9 +185,12 @@ int CcettMachine::make_board(std::size_t index, const MachineParameters& paramet
   if (is_claimed(parameters.allotment.assignment)) {
     share.claim = parameters.allotment.claim;
   }
-  boards_.push_back(std::make_unique<Kvm02>(
-      ("board" + std::to_string(index)).c_str(), parameters.board,
-      BoardSite{bus, addresses.frame, addresses.shared}, share, source, start_));
+  BoardSite site{bus, addresses.frame, addresses.shared};
+  if (own_pixels_) {
+    site.own_pixels.emplace(*own_pixels_, static_cast<int>(index), frame_memory_);
+  }
+  boards_.push_back(std::make_unique<Kvm02>(("board" + std::to_string(index)).c_str(),
+                                            parameters.board, site, share, source, start_));
   Kvm02& board = *boards_.back();
   const int master = bus.attach_master(
       board.bus_master, {board.name(), parameters.boards[index], board.access_law()});

@@ -35,6 +35,7 @@ struct FrameSetup {
   std::uint32_t background = 0;  ///< 0xRRGGBB, of the pixels outside
   std::vector<std::vector<unsigned char>> images;  ///< code and database by board; empty: none
   std::uint32_t image_address = 0;                 ///< of their first byte, in a board's RAM
+  std::uint32_t pixel_address = 0;  ///< in a board's RAM, of its own pixels, when it keeps them
   /// The parts of the images that the host loads; all, when not given.
   std::optional<std::vector<ImageRange>> loaded;
   std::optional<ProgramSetup> program;                   ///< when boards execute theirs
@@ -118,6 +119,7 @@ class CcettMachine : public sc_core::sc_module {
   VideoTiming timing_;
   std::vector<std::unique_ptr<VersaBus>> buses_;
   FrameMemory frame_memory_;
+  std::optional<PixelStore> own_pixels_;  // of boards that keep them
   std::optional<SharedMemory> shared_memory_;
   std::vector<std::unique_ptr<Kvm02>> boards_;
   std::unique_ptr<Host> host_;

@@ -74,6 +74,7 @@ BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<flo
     write_arrays(frame.database, writer);
   }
   task.order.line = room.line_pixels > 0 ? writer.address_of(&task.order.line) : 0;
+  image.own_pixels = room.own_pixel_bytes > 0 ? writer.address_of(&task.order.frame_memory) : 0;
   const std::uint32_t task_address = writer.address_of(&task);
   writer.write(task_address, &task, 1);
   image.stack = prepare_stack(task_address, image.ram, writer);

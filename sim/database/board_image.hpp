@@ -16,6 +16,7 @@ struct BoardImage {
   LinkedProgram program;
   std::uint32_t database;    ///< begins here, behind the program; or the task, when it is shared
   std::uint32_t loaded_end;  ///< what the host loads ends here
+  std::uint32_t own_pixels;  ///< begin here, if the board keeps any
   std::uint32_t stack;       ///< what the stack pointer is at the start: the task is the argument
 };
 

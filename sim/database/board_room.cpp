@@ -1,5 +1,7 @@
 #include "sim/database/board_room.hpp"
 
+#include "models/board/pixel_store.hpp"
+
 namespace maquette::sim {
 
 BoardRoom board_room(const Machine& machine, std::uint32_t shared_database) {
@@ -16,6 +18,13 @@ BoardRoom board_room(const Machine& machine, std::uint32_t shared_database) {
   }
   if (models::is_shared(board.database)) {
     room.shared_database = shared_database;
+  }
+  if (models::is_distributed(machine.parameters.frame_memory)) {
+    room.own_pixel_bytes = static_cast<std::uint32_t>(models::PixelStore{
+        models::interlace_of(machine.parameters.allotment,
+                             static_cast<int>(machine.parameters.boards.size())),
+        machine.parameters.frame_memory.width, machine.parameters.frame_memory.height}
+                                                          .bytes());
   }
   room.order = machine.parameters.allotment.order;
   return room;

@@ -14,8 +14,9 @@ struct BoardRoom {
   std::uint32_t system_bytes;  ///< at the bottom
   std::uint32_t crossings;
   std::uint32_t waiting_rays;
-  std::uint32_t line_pixels;  ///< that are kept until they are written together
-  std::uint32_t stack_bytes;  ///< at the top
+  std::uint32_t line_pixels;      ///< that are kept until they are written together
+  std::uint32_t own_pixel_bytes;  ///< of the screen, which the board keeps
+  std::uint32_t stack_bytes;      ///< at the top
   /// Of the arithmetic package, where it is larger than the program's.
   std::uint32_t package_bytes;
   /// Where the arrays of the scene are when they are in shared memory instead.

@@ -64,6 +64,9 @@ RamLayout ram_layout(const firmware::BoardTask<float>& task, const BoardPieces& 
   stacker.add_array("waiting rays", task.area.rays, room.waiting_rays);
   stacker.add("line of pixels", firmware::BoardLayout::k_long_bytes * room.line_pixels,
               &task.order.line);
+  if (room.own_pixel_bytes > 0) {
+    stacker.add("own pixels", room.own_pixel_bytes, &task.order.frame_memory);
+  }
   layout.used_bytes = stacker.end() + room.stack_bytes;
   layout.places = stacker.take();
   layout.places.push_back(

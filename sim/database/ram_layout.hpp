@@ -15,7 +15,7 @@ namespace maquette::sim {
 struct RamPlace {
   std::string_view use;
   /// What of the host's structures has its place here; of a line of pixels, the field with its
-  /// address.
+  /// address; of own pixels, that of the frame memory in whose place they are.
   const void* object;
   std::int64_t address;
   std::int64_t bytes;
@@ -32,7 +32,7 @@ struct RamLayout {
 };
 
 /// Lays out a board's RAM for a task by firmware/layout.hpp: system, program, the scene's arrays,
-/// the task, what preprocessing makes of them, work area, line of pixels, stack.
+/// the task, what preprocessing makes of them, work area, line of pixels, own pixels, stack.
 [[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task,
                                    const BoardPieces& pieces, const BoardRoom& room);
 

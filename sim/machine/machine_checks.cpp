@@ -129,7 +129,7 @@ std::string all_boards(const models::MachineParameters& parameters) {
 void check_video_slots(const models::MachineParameters& parameters, const YamlNode& root) {
   const models::FrameMemoryParameters& memory = parameters.frame_memory;
   const models::VideoParameters& video = parameters.video;
-  if (!memory.video_priority) {
+  if (!models::has_video_slots(memory)) {
     return;
   }
   const std::int64_t lines_per_s = std::int64_t{video.lines_per_frame} * video.frames_per_s;
@@ -174,12 +174,37 @@ void check_depth_compare(const models::MachineParameters& parameters, const Yaml
     fail_at(root, "frame_memory.depth_compare",
             "there is no depth to compare; allowed with frame_memory.depth of 1 to 16 bits");
   }
-  if (models::compares_depth(parameters.frame_memory) && parameters.boards.size() > 1 &&
+  if (models::compares_depth(parameters.frame_memory) &&
+      !models::is_distributed(parameters.frame_memory) && parameters.boards.size() > 1 &&
       parameters.bus.data_width_bits != k_pixel_bits) {
     fail_at(root, "frame_memory.depth_compare",
             "between colour and depth of one board's pixel another's may come; allowed with one "
-            "processor, or with a bus.data_width of 32 bits");
+            "processor, with a bus.data_width of 32 bits, or with frame_memory.place=boards");
   }
+}
+
+/// The video reader must know the owner of a pixel from its place on the screen, whatever the
+/// scene.
+void check_distribution(const models::MachineParameters& parameters, const YamlNode& root) {
+  if (!models::is_distributed(parameters.frame_memory)) {
+    return;
+  }
+  const auto require = [&root](bool holds, const std::string& message) {
+    if (!holds) {
+      fail_at(root, "frame_memory.place", message);
+    }
+  };
+  require(!models::is_claimed(parameters.allotment.assignment),
+          "nobody knows beforehand whose a pixel is that boards claim; boards is allowed with "
+          "allotment.assignment=fixed");
+  require(parameters.allotment.order == models::Allotment::interlaced,
+          "the owner of a pixel must follow from its place on the screen, whatever the useful zone "
+          "is; boards is allowed with allotment.order=interlaced");
+  require(!models::keeps_line(parameters.board.pixel_write),
+          "pixels in a board's own RAM gain nothing from waiting for their line; boards is allowed "
+          "with board.pixel_write=pixel");
+  require(parameters.frame_memory.ports == 1,
+          "there is no frame memory on the bus; boards is allowed with frame_memory.ports=1");
 }
 
 void check_board(const Machine& machine, const YamlNode& root) {
@@ -248,7 +273,7 @@ void check_timeout(const models::MachineParameters& parameters, const YamlNode& 
   if (accesses > 1) {
     check(accesses * memory.access_time, "frame_memory.depth_compare");
   }
-  if (memory.video_priority) {
+  if (models::has_video_slots(memory)) {
     check(accesses * (memory.access_time + memory.video_slot_time), "frame_memory.video_slot_time");
   }
 }
@@ -266,6 +291,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_video_slots(machine.parameters, root);
   check_timeout(machine.parameters, root);
   check_ports(machine.parameters, root);
+  check_distribution(machine.parameters, root);
   check_interlace(machine.parameters, root);
 }
 

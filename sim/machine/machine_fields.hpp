@@ -176,6 +176,15 @@ void declare_frame_memory(Visitor& visitor, models::FrameMemoryParameters& memor
                  "a pixel replaces none that is nearer, for which its depth takes two accesses",
                  "16 bits in Z, CCETT paper, section VI [R]; that they are compared [I]"},
                 memory.depth_compare, FlagType{});
+  visitor.field(
+      {"place",
+       "of the pixels: one memory on the bus, or the RAM of the board that owns each, from which "
+       "the video reader gathers them on a bus of its own; central where it is not given",
+       "one memory, CCETT paper, section V.2.3.3 [R]; distributed, the paper's [16], as assumed "
+       "here [I]"},
+      memory.place,
+      ChoiceType<models::FramePlace>{
+          {{"central", models::FramePlace::central}, {"boards", models::FramePlace::boards}}});
   visitor.field({"ports", "bus ports, each with a backplane; board b is on port b modulo ports",
                  "one VERSAbus, CCETT paper, section V.2.3.3 [R]"},
                 memory.ports, WholeType{WholeDimension::count, {1, 64}});

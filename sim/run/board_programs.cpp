@@ -37,6 +37,7 @@ void make_images(const PackedScene<float>& packed, const Machine& machine,
     order.first_unit = static_cast<std::uint32_t>(board);
     const BoardImage image = board_image(numbers, scene.frame(), area.view(), order, room);
     setup.image_address = loaded_from(image, machine);
+    setup.pixel_address = image.own_pixels;
     setup.images.push_back(part(image.ram, setup.image_address, image.loaded_end));
     take(image);
   }

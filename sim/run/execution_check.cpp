@@ -63,6 +63,7 @@ std::optional<std::string> obstacle_to_execution(const Machine& machine,
 
 Machine board_alone(Machine machine) {
   machine.parameters.boards.resize(1);
+  machine.parameters.frame_memory.place.reset();
   return machine;
 }
 

@@ -118,7 +118,7 @@ void require_transfer_time(const Machine& machine, const models::FrameSetup& set
   require_time(loaded_bytes / word_bytes * host_word, "the host would load the boards",
                "a faster host.clock or bus.clock, or fewer host.word_clocks, "
                "bus.arbitration_clocks and board.access clocks take less");
-  if (!parameters.bus.level.is_exclusive) {
+  if (!parameters.bus.level.is_exclusive || models::is_distributed(parameters.frame_memory)) {
     return;
   }
   const double words = static_cast<double>(setup.useful_zone.pixels()) *

@@ -53,6 +53,9 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
         "--set allotment.order=interlaced --set allotment.assignment=on_demand",
         "--set allotment.order=interlaced --set board.pixel_write=line",
         "--set allotment.order=interlaced --set board.arithmetic=ieee_single",
+        "--machine own-pixels",
+        "--machine own-pixels --set processors=6 --set board.arithmetic=maquette_ffp",
+        "--machine own-pixels --set board.database=shared --set bus.level=signal",
         "--set allotment.order=tiles --set allotment.assignment=on_demand",
         "--set allotment.assignment=on_demand",
         "--set board.pixel_write=line",
@@ -69,6 +72,20 @@ TEST_CASE("boards that execute their program make the firmware's picture, whatev
     CHECK(content_of(directory / "frame.png") == picture);
     CHECK(computed(statistics(directory)) > 0);
   }
+}
+
+TEST_CASE("pixels that boards keep take the executed program what they take the counted one") {
+  const ScratchDirectory scratch;
+  const auto compute = [&](const std::string& options) {
+    return computed(statistics(run(scratch, "boards", options)));
+  };
+  const std::string slow = "--set 'board.ram_write_wait=100 clocks' ";
+  const auto gain = [&](const std::string& options) {
+    return compute("--set allotment.order=interlaced " + slow + options) -
+           compute("--machine own-pixels " + slow + options);
+  };
+  const std::string executed = "--processor instruction --set board.costs=tables";
+  CHECK(gain(executed) == Approx(gain("--set board.costs=tables")).epsilon(1e-6));
 }
 
 TEST_CASE("the host loads the same, whether boards execute their program or are counted") {

@@ -60,12 +60,14 @@ TEST_CASE("the uses of a board's RAM follow one another up to the stack at its t
 }
 
 TEST_CASE("the map is that of the image that a board gets") {
-  for (const std::vector<std::string>& overrides : {std::vector<std::string>{},
-                                                    {"board.database=shared"},
-                                                    {"board.pixel_write=line"},
-                                                    {"board.arithmetic=mc68881"},
-                                                    {"board.arithmetic=ieee_single"},
-                                                    {"host.loads_code=false"}}) {
+  for (const std::vector<std::string>& overrides :
+       {std::vector<std::string>{},
+        {"board.database=shared"},
+        {"board.pixel_write=line"},
+        {"frame_memory.place=boards", "allotment.order=interlaced", "board.ram=1 MiB"},
+        {"board.arithmetic=mc68881"},
+        {"board.arithmetic=ieee_single"},
+        {"host.loads_code=false"}}) {
     const Description description = described("photo4.yaml", overrides);
     const MemoryMap map = map_of(description);
     const BoardImage image = image_of(description);

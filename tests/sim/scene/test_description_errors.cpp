@@ -423,6 +423,22 @@ TEST_CASE("an interlace is of as many pixels as there are boards") {
   CHECK(with("order: interlaced, columns: 2, lines: 4", 8).empty());
 }
 
+TEST_CASE("boards keep pixels whose owner follows from their place") {
+  const auto with = [](const std::string& machine) {
+    return with_machine("machine: {name: a, frame_memory: {place: boards}, " + machine + "}");
+  };
+  const std::string place = "scene.yaml:7:42: frame_memory.place: ";
+  check_error(with("processors: 4"), place, "allowed with allotment.order=interlaced");
+  check_error(with("allotment: {order: interlaced, assignment: on_demand}"), place,
+              "allowed with allotment.assignment=fixed");
+  check_error(with("allotment: {order: interlaced}, board: {pixel_write: line}"), place,
+              "allowed with board.pixel_write=pixel");
+  check_error(with_machine("machine: {name: a, frame_memory: {place: boards, ports: 2}, allotment: "
+                           "{order: interlaced}}"),
+              place, "allowed with frame_memory.ports=1");
+  CHECK(with("allotment: {order: interlaced}").empty());
+}
+
 TEST_CASE("depths are compared where there are some, a pixel at a time") {
   const auto with = [](const std::string& machine) {
     return with_machine("machine: {name: a, " + machine + "}");
@@ -433,10 +449,14 @@ TEST_CASE("depths are compared where there are some, a pixel at a time") {
               "scene.yaml:7:50: frame_memory.depth_compare: ",
               "allowed with frame_memory.depth of 1 to 16 bits");
   check_error(with(compared), "scene.yaml:7:108: frame_memory.depth_compare: ",
-              "allowed with one processor, or with a bus.data_width of 32 bits");
+              "allowed with one processor, with a bus.data_width of 32 bits, or with "
+              "frame_memory.place=boards");
   check_error(with("frame_memory: {depth_compare: 1}"), "scene.yaml:7:50: ", "true, false");
   CHECK(with(compared + ", processors: 1").empty());
   CHECK(with(compared + ", bus: {data_width: 32 bits}").empty());
+  CHECK(with("frame_memory: {" + deep +
+             ", depth_compare: true, place: boards}, allotment: " + "{order: interlaced}")
+            .empty());
   CHECK(with("frame_memory: {" + deep + ", depth_compare: false}").empty());
 }
 
