@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ieee_single {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "e3307a85c537216aba8b20b4a3916c2ed7bc7c6a";
+inline constexpr const char* k_firmware_version = "b20d5776f4bd8d442c025dae03b2aaf4c2aced4a";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 175, 0, 25, 28},

@@ -5,9 +5,9 @@
 #include <cstring>
 #include <exception>
 
+#include "firmware/arithmetic/stop_request.hpp"
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/program.hpp"
-#include "sim/run/interruption.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace {
@@ -48,7 +48,7 @@ int main(int argc, char** argv) {
   } catch (const maquette::sim::DescriptionError& error) {
     fmt::print(stderr, "{}\n", error.what());
     return k_exit_bad_input;
-  } catch (const maquette::sim::Interrupted&) {
+  } catch (const maquette::firmware::StopRequested&) {
     fmt::print(stderr, "interrupted before the simulation began; nothing is written\n");
     return maquette::sim::k_exit_interrupted;
   } catch (const std::exception& error) {

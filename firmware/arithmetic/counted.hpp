@@ -7,6 +7,7 @@
 #include "firmware/arithmetic/counted_meter.hpp"
 #include "firmware/arithmetic/elementary.hpp"
 #include "firmware/arithmetic/real.hpp"
+#include "firmware/arithmetic/stop_request.hpp"
 
 namespace maquette::firmware {
 
@@ -144,6 +145,7 @@ struct InFunction<Counted> {
 template <>
 struct InRay<Counted> {
   explicit InRay(RayKind kind) : before_(counted_meter.ray) {
+    end_if_requested();
     counted_meter.enter_ray(static_cast<std::uint32_t>(kind));
   }
   InRay(const InRay&) = delete;

@@ -1,11 +1,19 @@
 #include "models/board/board_program.hpp"
 
+#include <chrono>
+
+#include "firmware/arithmetic/stop_request.hpp"
+
 namespace maquette::models {
 
 namespace {
 
 /// Events that may wait. The host's threads need not meet at each of them.
 constexpr std::size_t k_most_events = 256;
+
+/// The host executes so much in some tenth of a second.
+constexpr std::uint64_t k_cycles_between_looks = 10'000'000;
+constexpr std::chrono::milliseconds k_between_looks{100};
 
 }  // namespace
 
@@ -51,12 +59,23 @@ void BoardProgram::run(const ProgramEntry& entry) {
   processor_.registers().program_counter = entry.start;
   processor_.registers().stack() = entry.stack;
   slots_.take();
-  const mc68000::Stop stop = processor_.run({});
+  const mc68000::Stop stop = run_unless_abandoned();
   slots_.give_back();
   const std::lock_guard<std::mutex> lock(mutex_);
   ProgramEvent end = event(ProgramEvent::Kind::end, processor_.account());
   end.stop = stop;
   put(end);
+}
+
+mc68000::Stop BoardProgram::run_unless_abandoned() {
+  while (true) {
+    const mc68000::Stop stop =
+        processor_.run({processor_.account().cycles + k_cycles_between_looks});
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (abandoned_ || stop.reason != mc68000::StopReason::cycle_limit) {
+      return stop;
+    }
+  }
 }
 
 ProgramEvent BoardProgram::event(ProgramEvent::Kind kind, const mc68000::Account& account) {
@@ -75,7 +94,9 @@ void BoardProgram::put(const ProgramEvent& event) {
 
 ProgramEvent BoardProgram::next() {
   std::unique_lock<std::mutex> lock(mutex_);
-  changed_.wait(lock, [this] { return !events_.empty(); });
+  while (!changed_.wait_for(lock, k_between_looks, [this] { return !events_.empty(); })) {
+    firmware::end_if_requested();
+  }
   const ProgramEvent event = events_.front();
   events_.pop_front();
   changed_.notify_all();

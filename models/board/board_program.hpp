@@ -64,7 +64,7 @@ class BoardProgram final : private mc68000::ExternalBus {
   /// Ends the program where it is.
   ~BoardProgram() override;
 
-  /// Waits for the next event. There is none after the end.
+  /// Waits for the next event. There is none after the end. Throws firmware::StopRequested.
   ProgramEvent next();
 
   /// Answers the read that was the last event.
@@ -72,6 +72,7 @@ class BoardProgram final : private mc68000::ExternalBus {
 
  private:
   void run(const ProgramEntry& entry);
+  mc68000::Stop run_unless_abandoned();
   mc68000::BusReply access(const mc68000::BusRequest& request,
                            const mc68000::Account& account) override;
 

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "firmware/arithmetic/stop_request.hpp"
 #include "models/bus/bus_levels.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/command_line/common_options.hpp"
@@ -183,8 +184,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   request.lines = trace_files.lines();
 
   const Interruption interruption;
-  const std::optional<RecordedFrame> record =
-      record_for(options, description, results, request.threads);
+  const std::optional<RecordedFrame> record = firmware::unless_stopped(
+      [&] { return record_for(options, description, results, request.threads); },
+      std::optional<RecordedFrame>());
   request.record = record ? &*record : nullptr;
   // Loading takes about as long as many a simulation: with threads to spare they go side by side.
   const std::future<void> png =

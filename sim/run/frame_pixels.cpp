@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "firmware/arithmetic/stop_request.hpp"
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/counted_source.hpp"
 #include "sim/run/frame_recorder.hpp"
@@ -22,10 +23,13 @@ FramePixels recorded_pixels(const RecordedFrame& record, const Machine& machine)
 
 bool may_take_long(const CountedSource& source, const Machine& machine) {
   SynthesisArea<firmware::Counted> area(source.frame().database);
-  return may_take_long(machine, source.useful_zone(), source.preprocessing(),
-                       [&](const auto& position) {
-                         return counted_pixel(source.frame(), area.view(), position).work;
-                       });
+  const auto look = [&] {
+    return may_take_long(machine, source.useful_zone(), source.preprocessing(),
+                         [&](const auto& position) {
+                           return counted_pixel(source.frame(), area.view(), position).work;
+                         });
+  };
+  return firmware::unless_stopped(look, false);
 }
 
 }  // namespace
@@ -38,14 +42,18 @@ FramePixels frame_pixels(const Scene& scene, const Machine& machine, const Recor
   const PictureFormat format = picture_format_of(machine);
   auto source = std::make_unique<CountedSource>(packed_scene<firmware::Counted>(scene, format),
                                                 machine, threads);
-  if (executed || !may_take_long(*source, machine)) {
-    const models::PixelRectangle zone = source->useful_zone();
-    return {nullptr, std::move(source), zone};
+  if (!executed && may_take_long(*source, machine)) {
+    const auto whole = [&] {
+      return std::make_unique<RecordedFrame>(record_frame(scene, format, threads));
+    };
+    if (auto made = firmware::unless_stopped(whole, std::unique_ptr<RecordedFrame>())) {
+      FramePixels pixels = recorded_pixels(*made, machine);
+      pixels.record = std::move(made);
+      return pixels;
+    }
   }
-  auto made = std::make_unique<RecordedFrame>(record_frame(scene, format, threads));
-  FramePixels pixels = recorded_pixels(*made, machine);
-  pixels.record = std::move(made);
-  return pixels;
+  const models::PixelRectangle zone = source->useful_zone();
+  return {nullptr, std::move(source), zone};
 }
 
 }  // namespace maquette::sim

@@ -6,7 +6,6 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include "sim/database/prepared_scene.hpp"
-#include "sim/run/interruption.hpp"
 #include "sim/run/pixel_run.hpp"
 
 namespace maquette::sim {
@@ -25,7 +24,7 @@ void record_row(const firmware::Frame<firmware::Counted>& frame, Area& area, int
            static_cast<std::size_t>(column);
   };
   for (int column = 0; column < zone.width; ++column) {
-    Interruption::end_if_requested();
+    firmware::end_if_requested();
     record.pixels[place(column)] = run.pixel(frame, view, {zone.column0 + column, zone.row0 + row});
     if (!record.functions.empty()) {
       record.functions[place(column)] = function_counts(firmware::counted_meter);

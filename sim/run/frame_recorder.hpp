@@ -10,7 +10,7 @@ namespace maquette::sim {
 enum class FunctionsOfPixels { untold, told };
 
 /// Synthesises every pixel of a scene's useful zone by the native firmware, on `threads` threads of
-/// the host (at least 1), whose number changes nothing. Throws Interrupted where the command is.
+/// the host (at least 1), whose number changes nothing. Throws StopRequested.
 RecordedFrame record_frame(const Scene& scene, const PictureFormat& format, int threads,
                            FunctionsOfPixels functions = FunctionsOfPixels::untold);
 

@@ -6,18 +6,15 @@ namespace maquette::sim {
 
 namespace {
 
-// A signal handler can reach nothing but a global of this type.
-volatile std::sig_atomic_t interruption_requested = 0;
-
 void request_interruption(int signal) {
-  interruption_requested = 1;
+  firmware::stop_requested = true;
   std::signal(signal, SIG_DFL);
 }
 
 }  // namespace
 
 Interruption::Interruption() {
-  interruption_requested = 0;
+  firmware::stop_requested = false;
   std::signal(SIGINT, request_interruption);
   std::signal(SIGTERM, request_interruption);
 }
@@ -25,14 +22,6 @@ Interruption::Interruption() {
 Interruption::~Interruption() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
-}
-
-bool Interruption::is_requested() { return interruption_requested != 0; }
-
-void Interruption::end_if_requested() {
-  if (is_requested()) {
-    throw Interrupted();
-  }
 }
 
 }  // namespace maquette::sim

@@ -1,17 +1,12 @@
 #pragma once
 
-#include <stdexcept>
+#include "firmware/arithmetic/stop_request.hpp"
 
 namespace maquette::sim {
 
-/// What ends work that was asked to end before it has a result.
-class Interrupted : public std::runtime_error {
- public:
-  Interrupted() : std::runtime_error("interrupted") {}
-};
-
-/// From its construction on, Ctrl-C (SIGINT) and SIGTERM ask the run to end instead of killing the
-/// program; a second one kills. The former behaviour comes back with the destructor.
+/// From its construction on, Ctrl-C (SIGINT) and SIGTERM ask the run to end (stop_request.hpp)
+/// instead of killing the program; a second one kills. The former behaviour comes back with the
+/// destructor.
 class Interruption {
  public:
   Interruption();
@@ -21,10 +16,7 @@ class Interruption {
   Interruption& operator=(Interruption&&) = delete;
   ~Interruption();
 
-  [[nodiscard]] static bool is_requested();
-
-  /// Throws Interrupted where it is.
-  static void end_if_requested();
+  [[nodiscard]] static bool is_requested() { return firmware::stop_requested.load(); }
 };
 
 }  // namespace maquette::sim

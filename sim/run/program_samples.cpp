@@ -6,7 +6,6 @@
 #include "sim/run/counted_pixel.hpp"
 #include "sim/run/executed_pixels.hpp"
 #include "sim/run/execution_check.hpp"
-#include "sim/run/interruption.hpp"
 
 namespace maquette::sim {
 
@@ -36,7 +35,6 @@ std::vector<CostSample> program_samples(const Scene& scene, const Machine& machi
   execute_pixels(
       scene, sample_machine(machine), static_cast<int>(std::max<std::int64_t>(1, share)),
       [&](const ExecutedPixel& pixel) {
-        Interruption::end_if_requested();
         samples.push_back(
             {counted_pixel(prepared.frame(), area.view(), pixel.position).work, pixel.program});
         return true;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "firmware/arithmetic/stop_request.hpp"
 #include "firmware/synthesize.hpp"
 #include "models/board/work_cost.hpp"
 #include "models/bus/kernel_time.hpp"
@@ -39,11 +40,22 @@ double fraction_taken(const models::CcettMachine& model, const models::PixelRect
              : static_cast<double>(model.pixels_taken()) / static_cast<double>(zone.pixels());
 }
 
+/// The kernel turns whatever leaves a process into a report; a pixel that was asked to end is none.
+void start_kernel(const sc_core::sc_time& slice) {
+  try {
+    sc_core::sc_start(slice);
+  } catch (const sc_core::sc_report&) {
+    if (!firmware::stop_requested.load()) {
+      throw;
+    }
+  }
+}
+
 void run_kernel(const models::CcettMachine& model, const models::PixelRectangle& zone,
                 const Continue& go_on) {
   sc_core::sc_time slice = models::to_sc_time(k_slice);
   while (!model.finished()) {
-    sc_core::sc_start(slice);
+    start_kernel(slice);
     if (!go_on(models::kernel_now(), fraction_taken(model, zone))) {
       return;
     }
@@ -106,7 +118,12 @@ std::optional<Calibration> calibration_of(const Scene& scene, const Machine& mac
   if (request.executed || !is_calibrated(machine)) {
     return std::nullopt;
   }
-  return request.calibration != nullptr ? *request.calibration : calibrate(scene, machine);
+  if (request.calibration != nullptr) {
+    return *request.calibration;
+  }
+  return firmware::unless_stopped(
+      [&] { return std::optional<Calibration>(calibrate(scene, machine)); },
+      std::optional<Calibration>());
 }
 
 CostStatistics cost_statistics(const Machine& machine, bool executed,

@@ -151,21 +151,6 @@ TEST_CASE("A run directory holds nothing of the host but in its manifest") {
   CHECK(files == 4);
 }
 
-TEST_CASE("A run that is interrupted while it makes its record leaves nothing") {
-  const ScratchDirectory scratch;
-  const std::string command = std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
-                              "/scenes/photo2.yaml --threads 1 --quiet --processor recorded " +
-                              "--outdir " + (scratch / "run").string() +
-                              " 2>/dev/null & pid=$!; until ls -d " +
-                              (scratch / ".run.unfinished-*").string() +
-                              " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
-                              "wait $pid";
-  const int status = std::system(command.c_str());
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 130);
-  CHECK(std::filesystem::is_empty(scratch.path()));
-}
-
 TEST_CASE("What cannot be printed is an error") {
   const ScratchDirectory scratch;
   const std::string program = MAQUETTE_PROGRAM;
