@@ -16,6 +16,9 @@ inline constexpr RealType k_clock{RealDimension::frequency, {1e3, 1e9}};
 inline constexpr WholeType k_clocks{WholeDimension::clocks, {0, 100'000}};
 inline constexpr WholeType k_time{WholeDimension::time, {0, 1'000'000'000'000}};
 inline constexpr WholeType k_memory{WholeDimension::memory, {0, 16 * k_mebibyte}};
+/// The board's program has coordinates of 16 bits with a sign, in which the end of a tile that
+/// begins in the picture has to be.
+inline constexpr WholeType k_side{WholeDimension::pixels, {1, 16384}};
 inline constexpr WholeType k_plane{WholeDimension::bits, {1, 8}};
 
 /// RAM, its wait states and its refresh.
@@ -159,7 +162,6 @@ void declare_bus(Visitor& visitor, models::VersaBusParameters& bus) {
 
 template <class Visitor>
 void declare_frame_memory(Visitor& visitor, models::FrameMemoryParameters& memory) {
-  constexpr WholeType k_side{WholeDimension::pixels, {1, 65535}};
   visitor.field({"width", "pixels per line", "CCETT paper, section V.2.3.3 [R]"}, memory.width,
                 k_side);
   visitor.field({"height", "lines", "CCETT paper, section V.2.3.3 [R]"}, memory.height, k_side);
@@ -262,7 +264,6 @@ void declare_claim(Visitor& visitor, models::ClaimParameters& claim) {
 
 template <class Visitor>
 void declare_allotment(Visitor& visitor, models::AllotmentParameters& allotment) {
-  constexpr WholeType k_side{WholeDimension::pixels, {1, 65535}};
   visitor.field(
       {"order", "how pixels are given to the boards", "choice of the firmware [I]"},
       allotment.order,

@@ -502,4 +502,13 @@ TEST_CASE("overrides are refused at their column") {
               "--set board.arithmetic=none:1:18: ", "motorola_ffp");
 }
 
+TEST_CASE("a picture is no wider or higher than the coordinates of the board's program reach") {
+  for (const std::string side : {"width", "height"}) {
+    check_error(with_override("frame_memory." + side + "=16385 pixels"), "--set ",
+                "allowed: 1 pixel to 16384 pixels");
+    check_error(with_override("allotment.tile_" + side + "=16385 pixels"), "--set ",
+                "allowed: 1 pixel to 16384 pixels");
+  }
+}
+
 }  // namespace maquette::sim
