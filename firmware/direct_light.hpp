@@ -49,11 +49,11 @@ Color<Real> reflectance(const Frame<Real>& frame, const SurfacePoint<Real>& poin
 /// `arriving` sets out. Of all the borders on its way a light is bent at the one that it meets
 /// first, wherever that is; the rays of the tree go straight through it at the others, so that none
 /// is counted twice.
-template <class Real>
+template <class Real, class Count>
 [[gnu::noinline]] Color<Real> light_through(const Frame<Real>& frame,
                                             const SurfacePoint<Real>& point, const View<Real>& view,
                                             const Incidence<Real>& incidence, Crossing<Real>* area,
-                                            RayCounts& rays, Color<Real> arriving) {
+                                            RayNumbers<Count>& rays, Color<Real> arriving) {
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
   if (frame.database.needs.shadows) {
     ++rays.shadow;
@@ -72,10 +72,10 @@ template <class Real>
 }
 
 /// Luminance towards the view that one source causes. Counts its shadow ray.
-template <class Real>
+template <class Real, class Count>
 Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
                        const SurfacePoint<Real>& point, const View<Real>& view,
-                       Crossing<Real>* area, RayCounts& rays) {
+                       Crossing<Real>* area, RayNumbers<Count>& rays) {
   charge<Real>(Operation::light);
   LightAsked<Real>::put(light);
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
@@ -110,9 +110,9 @@ Color<Real> light_from(const Frame<Real>& frame, std::uint16_t light,
 }
 
 /// Luminance towards the view under all sources and the ambient light.
-template <class Real>
+template <class Real, class Count>
 Color<Real> direct_light(const Frame<Real>& frame, const SurfacePoint<Real>& point,
-                         const View<Real>& view, Crossing<Real>* area, RayCounts& rays) {
+                         const View<Real>& view, Crossing<Real>* area, RayNumbers<Count>& rays) {
   const Real zero = constant<Real>(0);
   Color<Real> sum(zero, zero, zero);
   if (frame.database.needs.ambient) {

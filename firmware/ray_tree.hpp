@@ -70,11 +70,11 @@ template <class Real>
 
 /// Puts the secondary rays of a specular point on the stack: the reflected one with F, behind a
 /// transparent surface also the refracted one with 1 - F. Returns the new height.
-template <class Real>
+template <class Real, class Count>
 [[gnu::noinline]] std::int32_t spawn(const Frame<Real>& frame, const SurfacePoint<Real>& point,
                                      const View<Real>& view, const PendingRay<Real>& parent,
                                      PendingRay<Real>* stack, std::int32_t height,
-                                     RayCounts& rays) {
+                                     RayNumbers<Count>& rays) {
   const Surface<Real>& surface = frame.database.surfaces[point.surface];
   const auto depth = static_cast<std::int16_t>(parent.depth + 1);
   charge<Real>(Operation::load);
@@ -83,23 +83,23 @@ template <class Real>
   if (!surface.transparent) {
     const Color<Real> reflected = share * fresnel_factor(surface, view.cosine, view);
     top = spawn_reflected(frame, point, view, reflected, depth, stack, top);
-    rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
+    rays.reflected = static_cast<Count>(rays.reflected + static_cast<Count>(top - height));
     return top;
   }
   const DielectricBorder<Real> border = dielectric_border(view.cosine, view.index);
   top = spawn_reflected(frame, point, view, share * border.reflected, depth, stack, height);
-  rays.reflected = static_cast<std::uint16_t>(rays.reflected + (top - height));
+  rays.reflected = static_cast<Count>(rays.reflected + static_cast<Count>(top - height));
   const std::int32_t reflected_top = top;
   top = spawn_refracted(frame, point, view, border.transmitted_cosine,
                         share * (constant<Real>(1) - border.reflected), depth, stack, top);
-  rays.refracted = static_cast<std::uint16_t>(rays.refracted + (top - reflected_top));
+  rays.refracted = static_cast<Count>(rays.refracted + static_cast<Count>(top - reflected_top));
   return top;
 }
 
 /// What the rays of a pixel find besides its luminance.
 template <class Real>
 struct Sight {
-  RayCounts rays{};
+  RayCountsOf<Real> rays{};
   Real depth = far_away<Real>();  ///< of the first visible point, where the scene needs it
 };
 

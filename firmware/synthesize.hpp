@@ -6,11 +6,16 @@
 namespace maquette::firmware {
 
 /// A pixel as synthesis gives it.
-struct Pixel {
+template <class Counts>
+struct CountedPixel {
   std::uint32_t rgb;    ///< 0xRRGGBB
   std::uint16_t depth;  ///< code of its depth, where the display takes one
-  RayCounts rays;
+  Counts rays;
 };
+
+using Pixel = CountedPixel<RayCounts>;
+template <class Real>
+using PixelOf = CountedPixel<RayCountsOf<Real>>;
 
 /// A component of luminance as eight bits: 0 is black, 1 and above is 255, rounded to nearest.
 template <class Real>
@@ -112,10 +117,10 @@ template <class Real>
 
 /// Computes one pixel of the useful zone. Independent of every other pixel.
 template <class Real>
-Pixel synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int16_t column,
-                 std::int16_t row) {
+PixelOf<Real> synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int16_t column,
+                         std::int16_t row) {
   charge<Real>(Operation::pixel);
-  Pixel pixel{};
+  PixelOf<Real> pixel{};
   const RayQuery<Real> primary = primary_ray(frame.database.observer, column, row);
   Sight<Real> sight;
   pixel.rgb = rgb_of(frame.database.needs.samples ? sampled_luminance(frame, primary, area, sight)

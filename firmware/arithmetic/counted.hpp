@@ -198,7 +198,10 @@ struct ExtentUse<Counted> {
 
 /// This thread's work since the last reset. Throughout, operations on zero operands are taken out
 /// of their general class.
-inline Work counted_work() { return general_apart(counted_meter.sum()); }
+inline LongWork long_counted_work() { return general_apart(counted_meter.sum()); }
+
+/// The same where it is a pixel's or the preprocessing's. Throws as narrowed.
+inline Work counted_work() { return narrowed(long_counted_work()); }
 
 /// Sets this thread's meter to zero.
 inline void reset_counted_work() { counted_meter.reset(); }

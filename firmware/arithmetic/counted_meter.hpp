@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
+#include <string>
 
 #include "firmware/arithmetic/extent_use.hpp"
 #include "firmware/arithmetic/function.hpp"
@@ -23,7 +25,7 @@ inline constexpr std::uint32_t k_waiting_rays = 1024;
 /// What a host thread's `Counted` arithmetic has done since the last reset. Here `add`, `subtract`,
 /// `multiply`, `divide` hold all operations, those with a zero operand too.
 struct CountedMeter {
-  std::uint32_t counts[k_cell_count * k_operation_count];
+  std::uint64_t counts[k_cell_count * k_operation_count];
   std::size_t first;                        ///< of the counts of the present cell
   std::size_t first_of_ray;                 ///< of the counts of the present kind of ray
   std::uint32_t ray;                        ///< that RayKind
@@ -32,7 +34,7 @@ struct CountedMeter {
   RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
   ExtentCounts extents[k_extent_kind_count];
 
-  std::uint32_t& place(Operation operation) {
+  std::uint64_t& place(Operation operation) {
     return counts[first + static_cast<std::size_t>(operation)];
   }
 
@@ -64,9 +66,9 @@ struct CountedMeter {
     }
   }
 
-  [[nodiscard]] Work sum() {
-    Work sum{};
-    for_each_cell([&sum](std::uint32_t /*cell*/, const std::uint32_t* cell_counts) {
+  [[nodiscard]] LongWork sum() {
+    LongWork sum{};
+    for_each_cell([&sum](std::uint32_t /*cell*/, const std::uint64_t* cell_counts) {
       for (int i = 0; i < k_operation_count; ++i) {
         sum.counts[i] += cell_counts[i];
       }
@@ -76,7 +78,7 @@ struct CountedMeter {
 
   /// Outside of every function.
   void reset() {
-    for_each_cell([](std::uint32_t /*cell*/, std::uint32_t* cell_counts) {
+    for_each_cell([](std::uint32_t /*cell*/, std::uint64_t* cell_counts) {
       for (int i = 0; i < k_operation_count; ++i) {
         cell_counts[i] = 0;
       }
@@ -104,6 +106,22 @@ Counts general_apart(Counts counts) {
   counts[Operation::multiply] -= counts[Operation::multiply_zero];
   counts[Operation::divide] -= counts[Operation::divide_zero];
   return counts;
+}
+
+/// The counts in 32 bits. Throws std::overflow_error when one does not fit.
+inline Work narrowed(const LongWork& counts) {
+  Work work{};
+  for (int i = 0; i < k_operation_count; ++i) {
+    work.counts[i] = static_cast<std::uint32_t>(counts.counts[i]);
+    if (work.counts[i] != counts.counts[i]) {
+      throw std::overflow_error(
+          std::string("a pixel, or what precedes all pixels, takes ") +
+          std::to_string(counts.counts[i]) + " of `" + k_operation_names[i] +
+          "`, and 4294967295 can be counted; a smaller ray_tree.depth, fewer samples, lights or "
+          "bodies take less");
+    }
+  }
+  return work;
 }
 
 }  // namespace maquette::firmware

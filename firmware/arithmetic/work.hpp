@@ -94,24 +94,42 @@ inline constexpr const char* k_operation_names[k_operation_count] = {"add",
                                                                      "root",
                                                                      "root_step"};
 
-/// Counts per operation class: what a pixel (or the preprocessing) cost, never seconds.
-struct Work {
-  std::uint32_t counts[k_operation_count];
+/// Counts per operation class, each of so many bits.
+template <class Count>
+struct WorkCounts {
+  Count counts[k_operation_count];
 
-  constexpr std::uint32_t& operator[](Operation operation) {
-    return counts[static_cast<int>(operation)];
-  }
-  constexpr std::uint32_t operator[](Operation operation) const {
+  constexpr Count& operator[](Operation operation) { return counts[static_cast<int>(operation)]; }
+  constexpr Count operator[](Operation operation) const {
     return counts[static_cast<int>(operation)];
   }
 };
 
-/// How many rays of each kind a pixel needed (paper, section V.2.3.1.2).
-struct RayCounts {
-  std::uint16_t primary;
-  std::uint16_t reflected;
-  std::uint16_t refracted;
-  std::uint16_t shadow;
+/// What a pixel (or the preprocessing) cost, never seconds.
+using Work = WorkCounts<std::uint32_t>;
+
+/// What many pixels cost, or one before it is known that it fits a Work.
+using LongWork = WorkCounts<std::uint64_t>;
+
+/// How many rays of each kind a pixel needed (paper, section V.2.3.1.2), each of so many bits.
+template <class Count>
+struct RayNumbers {
+  Count primary;
+  Count reflected;
+  Count refracted;
+  Count shadow;
 };
+
+using RayCounts = RayNumbers<std::uint32_t>;
+
+/// The counts that go with a number type. A board's program, which nobody asks for them, has
+/// shorter ones.
+template <class Real>
+struct RayCounting {
+  using Counts = RayCounts;
+};
+
+template <class Real>
+using RayCountsOf = typename RayCounting<Real>::Counts;
 
 }  // namespace maquette::firmware

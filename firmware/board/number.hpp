@@ -6,6 +6,7 @@
 #include "firmware/arithmetic/elementary.hpp"
 #include "firmware/arithmetic/number_format.hpp"
 #include "firmware/arithmetic/real.hpp"
+#include "firmware/arithmetic/work.hpp"
 
 /// The number type of a board's program: numbers of a format, computed by an arithmetic package.
 /// Its routines take their operands in D7 and D6, leave the result in D7 and use up D3 to D5; after
@@ -121,6 +122,11 @@ template <class Format>
 inline Number<Format> saturated_inverse(Number<Format> length) {
   return length > 0 ? 1 / length : far_away<Number<Format>>();
 }
+
+template <class Format>
+struct RayCounting<Number<Format>> {
+  using Counts = RayNumbers<std::uint16_t>;
+};
 
 }  // namespace maquette::firmware
 

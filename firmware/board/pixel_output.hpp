@@ -8,7 +8,7 @@
 namespace maquette::firmware {
 
 /// A pixel as the frame memory takes it.
-inline std::uint32_t written(const BoardOrder& order, const Pixel& pixel) {
+inline std::uint32_t written(const BoardOrder& order, const PixelOf<BoardNumber>& pixel) {
   if (!order.has_depth) {
     return pixel.rgb << 8U;
   }
@@ -48,7 +48,7 @@ inline void flush(const BoardOrder& order, Line& line) {
 }
 
 inline void put(const BoardOrder& order, Line& line, std::int16_t column, std::int16_t row,
-                const Pixel& pixel) {
+                const PixelOf<BoardNumber>& pixel) {
   if (order.line == 0) {
     write_pixel(order, column, row, written(order, pixel));
     return;

@@ -1,6 +1,8 @@
 #include "sim/record/function_work.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 
 #include "firmware/arithmetic/work.hpp"
@@ -10,8 +12,8 @@ namespace maquette::sim {
 namespace {
 
 /// The work that a cell of a meter has counted.
-firmware::Work work_of(const std::uint32_t* counts) {
-  firmware::Work work{};
+firmware::LongWork work_of(const std::uint64_t* counts) {
+  firmware::LongWork work{};
   std::copy_n(counts, firmware::k_operation_count, std::begin(work.counts));
   return firmware::general_apart(work);
 }
@@ -25,8 +27,8 @@ void add(const firmware::ExtentCounts& counts, firmware::ExtentCounts& sum) {
 }  // namespace
 
 void FunctionWork::add(firmware::CountedMeter& meter) {
-  meter.for_each_cell([this](std::uint32_t cell, const std::uint32_t* counts) {
-    const firmware::Work work = work_of(counts);
+  meter.for_each_cell([this](std::uint32_t cell, const std::uint64_t* counts) {
+    const firmware::LongWork work = work_of(counts);
     for (std::size_t i = 0; i < cells[cell].size(); ++i) {
       cells[cell][i] += work.counts[i];
     }
@@ -93,11 +95,16 @@ bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work)
 }
 
 FunctionCounts function_counts(firmware::CountedMeter& meter) {
-  FunctionCounts functions{};
-  meter.for_each_cell([&functions](std::uint32_t cell, const std::uint32_t* counts) {
-    const firmware::Work work = work_of(counts);
-    std::uint32_t& sum = functions[cell % firmware::k_function_count];
+  std::array<std::uint64_t, firmware::k_function_count> sums{};
+  meter.for_each_cell([&sums](std::uint32_t cell, const std::uint64_t* counts) {
+    const firmware::LongWork work = work_of(counts);
+    std::uint64_t& sum = sums[cell % firmware::k_function_count];
     sum = std::accumulate(std::begin(work.counts), std::end(work.counts), sum);
+  });
+  FunctionCounts functions{};
+  static constexpr std::uint64_t k_most = std::numeric_limits<std::uint32_t>::max();
+  std::transform(sums.begin(), sums.end(), functions.begin(), [](std::uint64_t sum) {
+    return static_cast<std::uint32_t>(std::min(sum, std::uint64_t{k_most}));
   });
   return functions;
 }

@@ -30,7 +30,8 @@ std::vector<std::uint64_t> numbers_of(const FunctionWork& work);
 /// From such numbers; false when they are none.
 bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work);
 
-/// Operations and events of one pixel by function, of any kind of ray.
+/// Operations and events of one pixel by function, of any kind of ray; as many as can be counted
+/// where there are more.
 using FunctionCounts = std::array<std::uint32_t, firmware::k_function_count>;
 
 /// Those that the meter of this thread has counted since its last reset.

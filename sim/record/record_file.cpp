@@ -32,7 +32,7 @@ constexpr std::uint32_t k_byte = 0xFF;
 /// The kinds of rays in a channel each.
 struct RayChannel {
   const char* name;
-  std::uint16_t firmware::RayCounts::*count;
+  std::uint32_t firmware::RayCounts::*count;
 };
 constexpr std::array<RayChannel, 4> k_rays = {{{"rays.primary", &firmware::RayCounts::primary},
                                                {"rays.reflected", &firmware::RayCounts::reflected},
@@ -128,12 +128,6 @@ void append(const models::SynthesizedPixel& pixel, std::vector<ExrChannel>& chan
   }
 }
 
-/// Whether a count fits its place, which it then has.
-bool put(std::uint32_t count, std::uint16_t& place) {
-  place = static_cast<std::uint16_t>(count);
-  return place == count;
-}
-
 /// False when a count does not fit its place.
 bool extract(const std::vector<ExrChannel>& channels, std::size_t index,
              models::SynthesizedPixel& pixel) {
@@ -142,14 +136,15 @@ bool extract(const std::vector<ExrChannel>& channels, std::size_t index,
   for (const unsigned shift : k_colour_shifts) {
     pixel.rgb |= (channel++)->values[index] << shift;
   }
-  bool fits = put((channel++)->values[index], pixel.depth);
+  const std::uint32_t depth = (channel++)->values[index];
+  pixel.depth = static_cast<std::uint16_t>(depth);
   for (const RayChannel& ray : k_rays) {
-    fits = put((channel++)->values[index], pixel.rays.*ray.count) && fits;
+    pixel.rays.*ray.count = (channel++)->values[index];
   }
   for (std::uint32_t& count : pixel.work.counts) {
     count = (channel++)->values[index];
   }
-  return fits;
+  return pixel.depth == depth;
 }
 
 /// What is wrong with the header, nothing when all is well.

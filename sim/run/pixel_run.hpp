@@ -22,16 +22,13 @@ class PixelRun {
                                  const firmware::WorkArea<firmware::Counted>& area,
                                  const models::PixelPosition& position) {
     models::SynthesizedPixel result = pixel_without_work(frame, area, position);
-    const firmware::Work now = firmware::counted_work();
-    std::uint32_t any = 0;
+    const firmware::LongWork now = firmware::long_counted_work();
+    firmware::LongWork since{};
     for (int i = 0; i < firmware::k_operation_count; ++i) {
-      any |= now.counts[i];
-      result.work.counts[i] = now.counts[i] - before_.counts[i];
+      since.counts[i] = now.counts[i] - before_.counts[i];
     }
     before_ = now;
-    if (any >= k_large) {
-      settle();
-    }
+    result.work = firmware::narrowed(since);
     return result;
   }
 
@@ -43,11 +40,8 @@ class PixelRun {
   }
 
  private:
-  /// Counts are 32 bits wide and may not run over before the next look at them.
-  static constexpr std::uint32_t k_large = std::uint32_t{1} << 30U;
-
   FunctionWork& sum_;
-  firmware::Work before_{};
+  firmware::LongWork before_{};
 };
 
 }  // namespace maquette::sim

@@ -87,6 +87,33 @@ TEST_CASE("Every pixel of the useful zone is synthesised once, by one board") {
   }
 }
 
+TEST_CASE("The rays of a pixel go beyond 16 bits, each once") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("glass.yaml", R"(name: glass
+view: {eye: [0, -10, 1], target: [0, 0, 1], up: [0, 0, 1], field_of_view: 40 deg}
+lights: {key: {position: [7, -10, 11], intensity: [2, 2, 2]}}
+ray_tree: {depth: 22, minimum_weight: 0}
+surfaces: {glass: {specular: 1, transparent: true, index: 1.5}}
+object:
+  union:
+    - {box: {size: [100, 0.3, 100]}, surface: glass}
+    - {box: {size: [100, 0.3, 100]}, surface: glass, place: {translate: [0, 1, 0]}}
+)");
+  const Outcome outcome =
+      run_maquette("run " + scene +
+                   " --quiet --set board.costs=tables --set 'frame_memory.width=1 pixel' --set "
+                   "'frame_memory.height=1 pixel' --outdir " +
+                   (scratch / "out").string());
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const auto stats = nlohmann::json::parse(content_of(scratch / "out" / "stats.json"));
+  const auto& rays = stats["rays"];
+  CHECK(rays["shadow"].get<std::int64_t>() > 65535);
+  CHECK(rays["total"].get<std::int64_t>() - rays["shadow"].get<std::int64_t>() ==
+        stats["work"]["ray"].get<std::int64_t>());
+  CHECK(rays["shadow"] == stats["work"]["shadow_ray"]);
+}
+
 TEST_CASE("The number of host threads changes no byte") {
   const ScratchDirectory scratch;
   const auto one = run_small(scratch, "one", "--threads 1");

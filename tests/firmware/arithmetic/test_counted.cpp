@@ -1,6 +1,7 @@
 #include "firmware/arithmetic/counted.hpp"
 
-#include <cstring>
+#include <algorithm>
+#include <iterator>
 #include <thread>
 
 #include "tests/catch.hpp"
@@ -170,9 +171,9 @@ Work in_cell(RayKind ray, Function function) {
   Work work{};
   const std::uint32_t wanted =
       static_cast<std::uint32_t>(ray) * k_function_count + static_cast<std::uint32_t>(function);
-  counted_meter.for_each_cell([&](std::uint32_t cell, const std::uint32_t* counts) {
+  counted_meter.for_each_cell([&](std::uint32_t cell, const std::uint64_t* counts) {
     if (cell == wanted) {
-      std::memcpy(work.counts, counts, sizeof work.counts);
+      std::copy_n(counts, k_operation_count, std::begin(work.counts));
     }
   });
   return work;
@@ -218,4 +219,18 @@ TEST_CASE("A reset empties every cell, and lights without an own place share the
 }
 
 }  // namespace
+
+TEST_CASE("Counts go beyond 32 bits, which a pixel's must not") {
+  reset_counted_work();
+  charge<Counted>(Operation::node, 0xFFFFFFFF);
+  CHECK(counted_work()[Operation::node] == 0xFFFFFFFF);
+  charge<Counted>(Operation::node);
+  CHECK(long_counted_work()[Operation::node] == std::uint64_t{1} << 32U);
+  CHECK_THROWS_WITH(counted_work(),
+                    Catch::Matchers::ContainsSubstring("takes 4294967296 of `node`") &&
+                        Catch::Matchers::ContainsSubstring("smaller ray_tree.depth"));
+  reset_counted_work();
+  CHECK(is_exactly(counted_work(), {}));
+}
+
 }  // namespace maquette::firmware

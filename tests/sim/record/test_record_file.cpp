@@ -29,9 +29,9 @@ SynthesizedPixel random_pixel(std::mt19937& random) {
   SynthesizedPixel pixel{};
   pixel.depth = static_cast<std::uint16_t>(random_count(random));
   pixel.rgb = static_cast<std::uint32_t>(random()) & k_white;
-  for (std::uint16_t* count :
+  for (std::uint32_t* count :
        {&pixel.rays.primary, &pixel.rays.reflected, &pixel.rays.refracted, &pixel.rays.shadow}) {
-    *count = static_cast<std::uint16_t>(random_count(random));
+    *count = random_count(random);
   }
   for (std::uint32_t& count : pixel.work.counts) {
     count = random_count(random);
