@@ -101,7 +101,7 @@ void compare_with_firmware(const std::string& scene, firmware::NumberFormat numb
   sim::SynthesisArea<float> area(prepared.frame().database);
   sim::BoardImage image =
       sim::board_image(numbers, prepared.frame(), area.view(), whole_frame(format.width),
-                       {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, 0});
+                       {1U << 20U, 0x800, 1024, 32, 0, 0, k_stack_bytes, 0});
   paint_stack(image);
   WrittenWords memory;
   const Stop stop = run(image, memory);
@@ -157,7 +157,7 @@ TEST_CASE("what does not fit into a board's RAM is refused") {
   const auto image_in = [&](std::uint32_t ram_bytes) {
     return sim::board_image(firmware::NumberFormat::ffp, prepared.frame(), area.view(),
                             whole_frame(format.width),
-                            {ram_bytes, 0x800, 1024, 32, 0, k_stack_bytes, 0});
+                            {ram_bytes, 0x800, 1024, 32, 0, 0, k_stack_bytes, 0});
   };
   const sim::BoardImage image = image_in(1U << 20U);
   CHECK_THROWS_AS(image_in(image.loaded_end), std::out_of_range);
@@ -170,9 +170,10 @@ TEST_CASE("a larger arithmetic package than the program's has its room before th
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   for (const std::uint32_t package_bytes : {1U, 100U, 6144U, 6145U}) {
-    const sim::BoardImage image = sim::board_image(
-        firmware::NumberFormat::ieee_single, prepared.frame(), area.view(),
-        whole_frame(format.width), {1U << 20U, 0x800, 1024, 32, 0, k_stack_bytes, package_bytes});
+    const sim::BoardImage image =
+        sim::board_image(firmware::NumberFormat::ieee_single, prepared.frame(), area.view(),
+                         whole_frame(format.width),
+                         {1U << 20U, 0x800, 1024, 32, 0, 0, k_stack_bytes, package_bytes});
     const std::uint32_t room = image.database - image.program.package;
     CHECK(room >= image.program.code->package.bytes.size());
     CHECK(room >= package_bytes);
