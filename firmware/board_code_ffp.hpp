@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "0b45b2cf0c4706d10e63e8b4f62e5b16751fca2f";
+inline constexpr const char* k_firmware_version = "8372c74ecb899c46a9fa9f882edd772527382332";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 173, 0, 25, 28},

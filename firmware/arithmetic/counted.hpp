@@ -196,6 +196,17 @@ struct ExtentUse<Counted> {
   }
 };
 
+template <>
+struct RootSteps<Counted> {
+  static void note(int steps) {
+    if (counted_meter.is_in_intersection()) {
+      ++counted_meter.intersection_roots[steps];
+      counted_meter.root_steps_end =
+          steps < counted_meter.root_steps_end ? counted_meter.root_steps_end : steps + 1;
+    }
+  }
+};
+
 /// This thread's work since the last reset. Throughout, operations on zero operands are taken out
 /// of their general class.
 inline LongWork long_counted_work() { return general_apart(counted_meter.sum()); }

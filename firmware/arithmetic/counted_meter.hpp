@@ -7,6 +7,7 @@
 
 #include "firmware/arithmetic/extent_use.hpp"
 #include "firmware/arithmetic/function.hpp"
+#include "firmware/arithmetic/root_steps.hpp"
 #include "firmware/arithmetic/work.hpp"
 
 /// Where `Counted` counts: by kind of ray and function, each pair of which is a cell.
@@ -33,6 +34,8 @@ struct CountedMeter {
   RayKind shadow_ray;                       ///< towards the light that was asked last
   RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
   ExtentCounts extents[k_extent_kind_count];
+  std::uint32_t intersection_roots[k_root_step_limit + 1];  ///< by steps, those of intersections
+  int root_steps_end;                                       ///< more than any of them took
 
   std::uint64_t& place(Operation operation) {
     return counts[first + static_cast<std::size_t>(operation)];
@@ -50,6 +53,11 @@ struct CountedMeter {
     first_of_ray = std::size_t{kind} * k_function_count * k_operation_count;
     first = first_of_ray + in_ray;
     entered[kind] |= std::uint64_t{1} << (in_ray / k_operation_count);
+  }
+
+  /// Whether a ray is being intersected with a primitive.
+  [[nodiscard]] bool is_in_intersection() const {
+    return first - first_of_ray >= std::size_t{k_fixed_function_count} * k_operation_count;
   }
 
   /// Calls `visit(cell, counts)` for each cell that may have been counted in.
@@ -88,6 +96,9 @@ struct CountedMeter {
     }
     for (ExtentCounts& extent : extents) {
       extent = {};
+    }
+    for (; root_steps_end > 0; --root_steps_end) {
+      intersection_roots[root_steps_end - 1] = 0;
     }
   }
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/arithmetic/root_steps.hpp"
 #include "firmware/polynomials/bernstein.hpp"
 
 /// One root refined inside an interval that holds it (paper, section IV.2.4).
@@ -9,7 +10,7 @@ namespace laguerre {
 
 /// Steps after which the middle of the bracket is taken as it is: each halves the bracket at least
 /// where Laguerre's steps do not help.
-inline constexpr int k_step_limit = 64;
+inline constexpr int k_step_limit = k_root_step_limit;
 
 /// A polynomial in s = u / (1 - u), of which Bernstein terms are the plain coefficients, with two
 /// derivatives. Laguerre's method is the same in s and in u: its steps do not depend on a

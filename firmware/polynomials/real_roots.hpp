@@ -96,7 +96,9 @@ template <class Real>
 void add_between_ends(const Polynomial<Real>& polynomial, const Span<Real>& span,
                       RealRoots<Real>& roots) {
   if (sign_of(polynomial.terms[0]) * sign_of(polynomial.terms[polynomial.degree]) < 0) {
+    const int before = roots.steps;
     add(roots, span.low + span.width * refine_root(polynomial, roots.tolerance, roots.steps));
+    RootSteps<Real>::note(roots.steps - before);
   }
 }
 

@@ -36,6 +36,9 @@ void FunctionWork::add(firmware::CountedMeter& meter) {
   for (std::size_t kind = 0; kind < extents.size(); ++kind) {
     sim::add(meter.extents[kind], extents[kind]);
   }
+  for (int steps = 0; steps < meter.root_steps_end; ++steps) {
+    intersection_roots[static_cast<std::size_t>(steps)] += meter.intersection_roots[steps];
+  }
 }
 
 void FunctionWork::add(const FunctionWork& other) {
@@ -46,6 +49,9 @@ void FunctionWork::add(const FunctionWork& other) {
   }
   for (std::size_t kind = 0; kind < extents.size(); ++kind) {
     sim::add(other.extents[kind], extents[kind]);
+  }
+  for (std::size_t steps = 0; steps < intersection_roots.size(); ++steps) {
+    intersection_roots[steps] += other.intersection_roots[steps];
   }
 }
 
@@ -63,6 +69,9 @@ void for_each_number(Work& work, Visit visit) {
     for (auto& count : cell) {
       visit(count);
     }
+  }
+  for (auto& roots : work.intersection_roots) {
+    visit(roots);
   }
 }
 

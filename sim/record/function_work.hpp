@@ -8,12 +8,14 @@
 
 namespace maquette::sim {
 
-/// What many pixels, or the preprocessing, took by kind of ray and function, and what extents told.
+/// What many pixels, or the preprocessing, took by kind of ray and function, what extents told, and
+/// how many steps the roots of intersections took.
 struct FunctionWork {
   using Counts = std::array<std::uint64_t, firmware::k_operation_count>;
 
   std::vector<Counts> cells = std::vector<Counts>(firmware::k_cell_count);
   std::array<firmware::ExtentCounts, firmware::k_extent_kind_count> extents{};
+  std::array<std::uint64_t, firmware::k_root_step_limit + 1> intersection_roots{};  ///< by steps
 
   [[nodiscard]] static std::size_t cell(std::size_t ray, std::size_t function) {
     return ray * firmware::k_function_count + function;

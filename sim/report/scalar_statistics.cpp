@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -55,6 +56,15 @@ class Lister {
       list_group(declared.name + ".", value);
     } else {
       add(declared, "", text_of(value));
+    }
+  }
+
+  template <typename Group>
+  void list(const ScalarStatistic& declared, const std::optional<Group>& group) {
+    const std::size_t first = scalars.size();
+    list(declared, group.value_or(Group{}));
+    for (std::size_t i = first; !group && i < scalars.size(); ++i) {
+      scalars[i].text.clear();
     }
   }
 

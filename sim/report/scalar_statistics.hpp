@@ -12,7 +12,8 @@ struct ScalarStatistic {
   std::string name;
   std::string sentence;  ///< as declared
   std::string unit;      ///< as declared: "s", "pixels", "1" for a ratio, "" for a text
-  std::string text;      ///< exact, as in stats.json; empty over an empty list
+  std::string
+      text;  ///< exact, as in stats.json; empty over an empty list and of what a run has not
 };
 
 /// Every statistic that is a single value, in the order of declaration. Of a list of groups, such

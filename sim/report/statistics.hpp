@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -239,18 +240,57 @@ struct RayStatistics {
   }
 };
 
-/// Roots refined by Laguerre's method, of intersections and of points settled on curved surfaces
-/// (paper, section IV.2.4: three to five steps).
+/// The roots that were refined in a number of steps.
+struct RootsBySteps {
+  int steps = 0;
+  std::uint64_t roots = 0;
+
+  static constexpr auto fields() {
+    using Self = RootsBySteps;
+    return std::make_tuple(field("steps", "steps", "of Laguerre's method", &Self::steps),
+                           field("roots", "roots", "that took so many", &Self::roots));
+  }
+};
+
+/// The roots of rays' intersections, without those of points settled (paper, section IV.2.4: three
+/// to five iterations).
+struct IntersectionRoots {
+  std::uint64_t found = 0;
+  std::uint64_t steps = 0;
+  double steps_per_root = 0;
+  double up_to_two = 0;
+  double three_to_five = 0;
+  double more = 0;
+  std::vector<RootsBySteps> by_steps;
+
+  static constexpr auto fields() {
+    using Self = IntersectionRoots;
+    return std::make_tuple(
+        field("found", "roots", "of rays' intersections, refined", &Self::found),
+        field("steps", "steps", "of Laguerre's method", &Self::steps),
+        field("steps_per_root", "1", "mean", &Self::steps_per_root),
+        field("up_to_two", "1", "of these roots: in one or two steps", &Self::up_to_two),
+        field("three_to_five", "1", "of these roots: in 3 to 5 steps", &Self::three_to_five),
+        field("more", "1", "of these roots: in 6 steps or more", &Self::more),
+        field("by_steps", "", "histogram; numbers of steps that no root took are left out",
+              &Self::by_steps));
+  }
+};
+
+/// Roots refined by Laguerre's method, of intersections and of points settled on curved surfaces.
+/// What is of intersections alone is there where a whole frame has any.
 struct RootStatistics {
   std::uint64_t found = 0;
   std::uint64_t steps = 0;
   double steps_per_root = 0;
+  std::optional<IntersectionRoots> intersections;
 
   static constexpr auto fields() {
     using Self = RootStatistics;
     return std::make_tuple(field("found", "roots", "of polynomials, refined", &Self::found),
                            field("steps", "steps", "of Laguerre's method", &Self::steps),
-                           field("steps_per_root", "1", "mean", &Self::steps_per_root));
+                           field("steps_per_root", "1", "mean", &Self::steps_per_root),
+                           field("intersections", "", "", &Self::intersections));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <tuple>
 #include <type_traits>
 
@@ -30,6 +31,16 @@ template <typename Type, typename = void>
 inline constexpr bool k_has_fields = false;
 template <typename Type>
 inline constexpr bool k_has_fields<Type, std::void_t<decltype(Type::fields())>> = true;
+
+/// What an optional group holds; void of what is none.
+template <typename Value>
+struct GroupIfUsed {
+  using Type = void;
+};
+template <typename Group>
+struct GroupIfUsed<std::optional<Group>> {
+  using Type = Group;
+};
 
 /// Calls `action` with each field of `Owner`, in the order of their declaration.
 template <typename Owner, typename Action>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <type_traits>
 
@@ -69,14 +70,25 @@ class Writer {
   template <typename Group>
   std::enable_if_t<k_has_fields<Group>> write(const Group& group) {
     open('{');
-    for_each_field<Group>([this, &group](const auto& field) {
-      key(field.name);
-      this->write(group.*field.member);
-    });
+    for_each_field<Group>(
+        [this, &group](const auto& field) { this->write(field.name, group.*field.member); });
     close('}');
   }
 
  private:
+  template <typename Value>
+  void write(const char* name, const Value& value) {
+    key(name);
+    write(value);
+  }
+
+  template <typename Group>
+  void write(const char* name, const std::optional<Group>& group) {
+    if (group) {
+      write(name, *group);
+    }
+  }
+
   void open(char bracket) {
     text += bracket;
     ++depth_;
@@ -168,6 +180,14 @@ class Reader {
   }
 
   template <typename Group>
+  void read(const std::string& path, std::optional<Group>& group) {
+    group.reset();
+    if (holds(path + ".")) {
+      read(path, group.emplace());
+    }
+  }
+
+  template <typename Group>
   std::enable_if_t<k_has_fields<Group>> read(const std::string& path, Group& group) {
     for_each_field<Group>([this, &path, &group](const auto& field) {
       this->read(joined(path, field.name), group.*field.member);
@@ -181,10 +201,10 @@ class Reader {
   }
 
  private:
-  // Whether there is an element of this path, which ends in ']', or something in it.
-  [[nodiscard]] bool holds(const std::string& element) const {
-    const auto first = values_.lower_bound(element);
-    return first != values_.end() && first->first.compare(0, element.size(), element) == 0;
+  // Whether a path begins so, with a beginning that ends in ']' or '.'.
+  [[nodiscard]] bool holds(const std::string& beginning) const {
+    const auto first = values_.lower_bound(beginning);
+    return first != values_.end() && first->first.compare(0, beginning.size(), beginning) == 0;
   }
 
   std::string take(const std::string& path) {

@@ -129,6 +129,20 @@ std::string work_lines(const OperationCounts& work, const OperationClocks& clock
   return text;
 }
 
+/// Roots by the steps that they took; nothing where there are none.
+std::string root_lines(const RootStatistics& statistics) {
+  if (!statistics.intersections) {
+    return "";
+  }
+  const IntersectionRoots& roots = *statistics.intersections;
+  constexpr double k_percent = 100;
+  return fmt::format(
+      "\nroots           {} of intersections, {:.2f} steps each: 1 or 2 for {:.1f} %, 3 to 5 for "
+      "{:.1f} %, more for {:.2f} %\n",
+      roots.found, roots.steps_per_root, k_percent * roots.up_to_two,
+      k_percent * roots.three_to_five, k_percent * roots.more);
+}
+
 /// Functions by the time they took, then kinds of rays; nothing where it is not known.
 std::string function_lines(const FunctionStatistics& functions) {
   if (functions.time == models::Duration::zero()) {
@@ -163,7 +177,7 @@ std::string summarise(const Statistics& statistics, const std::string& times_fro
                       const std::string& paper_time, double host_time_s) {
   return frame_lines(statistics, paper_time) +
          fmt::format("times           from {}\n", times_from) + board_lines(statistics) +
-         bus_lines(statistics.bus) + ray_lines(statistics) +
+         bus_lines(statistics.bus) + ray_lines(statistics) + root_lines(statistics.roots) +
          work_lines(statistics.work, clocks_of(statistics)) + function_lines(statistics.functions) +
          fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
                      host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));

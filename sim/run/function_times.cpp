@@ -170,4 +170,30 @@ ExtentStatistics extent_statistics(const FrameWork& work) {
           told(firmware::ExtentKind::sphere)};
 }
 
+std::optional<IntersectionRoots> intersection_roots(const FrameWork& work) {
+  IntersectionRoots roots;
+  std::uint64_t few = 0;
+  std::uint64_t many = 0;
+  for (std::size_t steps = 0; steps < work.pixels.intersection_roots.size(); ++steps) {
+    const std::uint64_t count = work.pixels.intersection_roots[steps];
+    if (count == 0) {
+      continue;
+    }
+    roots.found += count;
+    roots.steps += count * steps;
+    few += steps < 3 ? count : 0;
+    many += steps > 5 ? count : 0;
+    roots.by_steps.push_back({static_cast<int>(steps), count});
+  }
+  if (roots.found == 0) {
+    return std::nullopt;
+  }
+  const auto all = static_cast<double>(roots.found);
+  roots.steps_per_root = static_cast<double>(roots.steps) / all;
+  roots.up_to_two = static_cast<double>(few) / all;
+  roots.three_to_five = static_cast<double>(roots.found - few - many) / all;
+  roots.more = static_cast<double>(many) / all;
+  return roots;
+}
+
 }  // namespace maquette::sim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "models/machine/machine_statistics.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/record/function_work.hpp"
@@ -13,5 +15,8 @@ FunctionStatistics function_statistics(const models::MachineStatistics& model,
                                        const Machine& machine, const FrameWork& work);
 
 ExtentStatistics extent_statistics(const FrameWork& work);
+
+/// Nothing where no intersection has a root that needs refining.
+std::optional<IntersectionRoots> intersection_roots(const FrameWork& work);
 
 }  // namespace maquette::sim

@@ -155,6 +155,7 @@ void add_functions(const models::CcettMachine& model, const Machine& machine,
   }
   const FrameWork work = source.work_by_function();
   statistics.extents = extent_statistics(work);
+  statistics.roots.intersections = intersection_roots(work);
   if (request.executed) {
     statistics.functions.from = "absent: boards execute their program";
     return;

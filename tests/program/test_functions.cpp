@@ -1,3 +1,4 @@
+#include <cmath>
 #include <numeric>
 
 #include "sim/report/statistics_json.hpp"
@@ -113,6 +114,44 @@ TEST_CASE("Extents change the work and nothing else, and tell what they spare") 
   }
   REQUIRE(run_small(scratch, "said", "--set extents=all").exit_code == 0);
   CHECK(content_of(scratch / "said" / "stats.json") == content_of(scratch / "all" / "stats.json"));
+}
+
+TEST_CASE("The steps of intersections' roots sum to the work, and a replay tells the same") {
+  const ScratchDirectory scratch;
+  const std::string record = (scratch / "torus.exr").string();
+  const std::string run = "run " MAQUETTE_PROJECT_DIRECTORY
+                          "/scenes/primitives/torus.yaml --set frame_memory.width='96 pixels' "
+                          "--set frame_memory.height='72 pixels' --record " +
+                          record + " --outdir ";
+  REQUIRE(run_maquette(run + (scratch / "seen").string()).exit_code == 0);
+  REQUIRE(run_maquette(run + (scratch / "again").string() + " --processor recorded").exit_code ==
+          0);
+  const Statistics statistics = statistics_of(scratch, "seen");
+  REQUIRE(statistics.roots.intersections);
+  const auto& roots = *statistics.roots.intersections;
+  std::uint64_t found = 0;
+  std::uint64_t steps = 0;
+  for (const auto& some : roots.by_steps) {
+    found += some.roots;
+    steps += some.roots * static_cast<std::uint64_t>(some.steps);
+  }
+  OperationCounts intersections{};
+  for (const NamedWork& function : statistics.functions.work_by_function) {
+    if (function.name.rfind("intersection_", 0) == 0) {
+      intersections = sum_of({{"", intersections}, function});
+    }
+  }
+  using maquette::firmware::Operation;
+  CHECK(found == intersections[static_cast<std::size_t>(Operation::root)]);
+  CHECK(steps == intersections[static_cast<std::size_t>(Operation::root_step)]);
+  CHECK(found == roots.found);
+  CHECK(steps == roots.steps);
+  CHECK(roots.found <= statistics.roots.found);
+  CHECK(std::abs(roots.up_to_two + roots.three_to_five + roots.more - 1) < 1e-12);
+  CHECK(content_of(scratch / "again" / "stats.json") ==
+        content_of(scratch / "seen" / "stats.json"));
+  REQUIRE(run_small(scratch, "none", "").exit_code == 0);
+  CHECK_FALSE(statistics_of(scratch, "none").roots.intersections);
 }
 
 TEST_CASE("A record is one of its extents") {

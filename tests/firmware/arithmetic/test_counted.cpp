@@ -203,6 +203,28 @@ TEST_CASE("Work belongs to the innermost function and ray in whose block it is d
                                     {Operation::divide, 1}}));
 }
 
+TEST_CASE("Roots are told by their steps in intersections alone, until a reset") {
+  reset_counted_work();
+  RootSteps<Counted>::note(3);
+  {
+    const InRay<Counted> ray(RayKind::reflected);
+    const InFunction<Counted> intersection(Function::intersection);
+    RootSteps<Counted>::note(k_root_step_limit);
+    RootSteps<Counted>::note(2);
+    RootSteps<Counted>::note(2);
+    const InFunction<Counted> points(Function::points);
+    RootSteps<Counted>::note(2);
+  }
+  CHECK(counted_meter.intersection_roots[2] == 2);
+  CHECK(counted_meter.intersection_roots[3] == 0);
+  CHECK(counted_meter.intersection_roots[k_root_step_limit] == 1);
+  CHECK(counted_meter.root_steps_end == k_root_step_limit + 1);
+  reset_counted_work();
+  for (const std::uint32_t roots : counted_meter.intersection_roots) {
+    CHECK(roots == 0);
+  }
+}
+
 TEST_CASE("A reset empties every cell, and lights without an own place share the last") {
   reset_counted_work();
   const Counted a = 2.0F;

@@ -47,6 +47,7 @@ void randomise(std::mt19937& random, maquette::sim::FunctionWork& work) {
   for (auto& counts : work.extents) {
     counts = {random_count(random), random_count(random), random_count(random)};
   }
+  work.intersection_roots[random() % work.intersection_roots.size()] = random_count(random);
 }
 
 RecordedFrame random_frame(std::mt19937& random) {
@@ -81,7 +82,8 @@ bool are_equal(const SynthesizedPixel& a, const SynthesizedPixel& b) {
 }
 
 bool are_equal(const maquette::sim::FunctionWork& a, const maquette::sim::FunctionWork& b) {
-  return a.cells == b.cells && std::memcmp(&a.extents, &b.extents, sizeof a.extents) == 0;
+  return a.cells == b.cells && a.intersection_roots == b.intersection_roots &&
+         std::memcmp(&a.extents, &b.extents, sizeof a.extents) == 0;
 }
 
 bool are_equal(const RecordedFrame& a, const RecordedFrame& b) {

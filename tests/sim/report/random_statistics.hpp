@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <random>
 #include <string>
 #include <type_traits>
@@ -42,6 +43,13 @@ void randomise(std::mt19937_64& random, std::vector<Element>& elements) {
   elements.resize(random() % 5);
   for (auto& element : elements) {
     randomise(random, element);
+  }
+}
+template <typename Group>
+void randomise(std::mt19937_64& random, std::optional<Group>& group) {
+  group.reset();
+  if (random() % 2 == 0) {
+    randomise(random, group.emplace());
   }
 }
 template <typename Group>

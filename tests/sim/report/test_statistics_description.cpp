@@ -16,6 +16,7 @@ TEST_CASE("every key of stats.json is described") {
   statistics.bus.masters[0].waited_for.resize(1);
   statistics.bus.masters[0].waits.resize(1);
   statistics.bus.queue.times.resize(1);
+  statistics.roots.intersections.emplace().by_steps.resize(1);
   const auto values = maquette::sim::flatten_json(maquette::sim::statistics_json(statistics), "s");
   REQUIRE(values.size() > 60);
   for (const auto& [path, value] : values) {

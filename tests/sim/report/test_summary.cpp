@@ -68,6 +68,16 @@ TEST_CASE("the summary tells of claims and a shared database only where there ar
   CHECK(contains(with, "25.00 % above the mean"));
 }
 
+TEST_CASE("the summary tells of the steps of roots only where there are any") {
+  Statistics statistics = example();
+  CHECK_FALSE(contains(summarise(statistics, "a test", "", 1.0), "\nroots"));
+  statistics.roots.intersections = {1000, 2500, 2.5, 0.375, 0.5, 0.125, {}};
+  CHECK(contains(
+      summarise(statistics, "a test", "", 1.0),
+      "\nroots           1000 of intersections, 2.50 steps each: 1 or 2 for 37.5 %, 3 to 5 "
+      "for 50.0 %, more for 12.50 %\n"));
+}
+
 TEST_CASE("the lines of the board table are aligned") {
   std::istringstream lines(summarise(example(), "a test", "", 1.0));
   std::vector<std::size_t> lengths;
