@@ -27,7 +27,7 @@ std::int32_t crossings_of_hits(const RayQuery<Real>& query, NodeIndex node, Surf
 }
 
 /// Crossings of a ray with a leaf in which it has at most `limit` hits.
-template <int limit, class Real>
+template <int limit, Projection projection, class Real>
 [[gnu::always_inline]] inline std::int32_t cross_primitive(const Frame<Real>& frame,
                                                            const RayQuery<Real>& query,
                                                            NodeIndex node, Crossing<Real>* first) {
@@ -37,7 +37,7 @@ template <int limit, class Real>
   charge<Real>(Operation::load, 2);
   Hit<Real> hits[limit];
   const int hit_count = primitive_of<Real>(leaf.kind).intersect(
-      local_ray(frame.prepared.leaves[node], query),
+      local_ray<projection>(frame.prepared.leaves[node], query),
       frame.database.parameters + leaf.first_parameter, hits);
   return crossings_of_hits(query, node, leaf.surface, hits, hit_count, first);
 }
@@ -45,14 +45,21 @@ template <int limit, class Real>
 template <class Real>
 [[gnu::noinline]] std::int32_t cross_convex(const Frame<Real>& frame, const RayQuery<Real>& query,
                                             NodeIndex node, Crossing<Real>* first) {
-  return cross_primitive<k_convex_hit_limit>(frame, query, node, first);
+  return is_parallel(frame.database)
+             ? cross_primitive<k_convex_hit_limit, Projection::parallel>(frame, query, node, first)
+             : cross_primitive<k_convex_hit_limit, Projection::perspective>(frame, query, node,
+                                                                            first);
 }
 
 /// Apart, so that scenes without such primitives spare its stack.
 template <class Real>
 [[gnu::noinline]] std::int32_t cross_spans(const Frame<Real>& frame, const RayQuery<Real>& query,
                                            NodeIndex node, Crossing<Real>* first) {
-  return cross_primitive<k_primitive_hit_limit>(frame, query, node, first);
+  return is_parallel(frame.database)
+             ? cross_primitive<k_primitive_hit_limit, Projection::parallel>(frame, query, node,
+                                                                            first)
+             : cross_primitive<k_primitive_hit_limit, Projection::perspective>(frame, query, node,
+                                                                               first);
 }
 
 template <class Real>

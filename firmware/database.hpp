@@ -45,7 +45,7 @@ struct Composite {
 /// How the normals of a surface's facets scatter: the place of a distribution in their table
 /// (facets/facet_table.hpp).
 enum class FacetKind : std::uint8_t {};
-inline constexpr int k_facet_kind_limit = 8;
+inline constexpr int k_facet_kind_limit = 7;
 
 /// Optical properties (paper, section III).
 template <class Real>
@@ -109,7 +109,8 @@ struct Samples {
   Real contrast;  ///< 0: always all
 };
 
-/// The observer's frame and the screen one unit in front of the eye. Screen frame: x to the right,
+/// The observer's frame and the screen one unit in front of the eye, or, of a parallel view, in the
+/// plane of the eye. Screen frame: x to the right,
 /// y up, z into the scene, the eye at the origin, lengths as in the scene.
 template <class Real>
 struct Observer {
@@ -135,6 +136,7 @@ struct Needs {
   bool dielectrics;
   bool metals;
   bool facets[k_facet_kind_limit];  ///< by FacetKind
+  bool parallel_view;               ///< in place of perspective
   bool transparency;                ///< refracted rays
   bool absorption;
   bool lights;

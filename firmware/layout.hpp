@@ -98,6 +98,7 @@ constexpr void for_each_field(const Needs& needs, Visit& visit) {
   visit(needs.dielectrics);
   visit(needs.metals);
   visit(needs.facets);
+  visit(needs.parallel_view);
   visit(needs.transparency);
   visit(needs.absorption);
   visit(needs.lights);

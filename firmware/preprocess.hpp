@@ -4,6 +4,7 @@
 #include "firmware/depth.hpp"
 #include "firmware/extent.hpp"
 #include "firmware/primitives/primitive_table.hpp"
+#include "firmware/projection.hpp"
 
 /// The phase before synthesis, done by every board (paper, section V.2.3.1.2): concatenated
 /// transforms and their inverses, box and sphere extents, projected rectangles, useful zone.
@@ -45,8 +46,8 @@ Vector<Real> corner_of(const Box<Real>& box, int corner, const Affine<Real>& fra
 }
 
 /// The pixels that the parallelepiped of a local box may cover: the rectangle around its projected
-/// corners. The whole screen when a corner lies beside or behind the eye.
-template <class Real>
+/// corners. In perspective the whole screen when a corner lies beside or behind the eye.
+template <Projection projection, class Real>
 Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real scale,
                     const Observer<Real>& observer) {
   const InFunction<Real> here(Function::rectangles);
@@ -57,6 +58,13 @@ Rectangle projected(const Box<Real>& local, const Affine<Real>& to_screen, Real 
   Real top = -left;
   for (int corner = 0; corner < 8; ++corner) {
     const Vector<Real> p = corner_of(local, corner, to_screen);
+    if constexpr (projection == Projection::parallel) {
+      left = smaller(left, p.x - margin);
+      right = larger(right, p.x + margin);
+      bottom = smaller(bottom, p.y - margin);
+      top = larger(top, p.y + margin);
+      continue;
+    }
     const Real depth = p.z - margin;
     if (!(depth > margin)) {
       return whole_screen(observer);
@@ -152,7 +160,11 @@ Extent<Real> leaf_extent(const Database<Real>& database, const Leaf<Real>& leaf,
   extent.box = {box.low - margins, box.high + margins};
   extent.sphere =
       sphere_of(center, radius_of(leaf.kind, local, prepared.to_screen, center) + margin);
-  extent.rectangle = projected(local, prepared.to_screen, prepared.scale, database.observer);
+  extent.rectangle = is_parallel(database)
+                         ? projected<Projection::parallel>(local, prepared.to_screen,
+                                                           prepared.scale, database.observer)
+                         : projected<Projection::perspective>(local, prepared.to_screen,
+                                                              prepared.scale, database.observer);
   return extent;
 }
 

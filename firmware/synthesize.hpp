@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/depth.hpp"
+#include "firmware/projection.hpp"
 #include "firmware/ray_tree.hpp"
 
 namespace maquette::firmware {
@@ -29,12 +30,21 @@ std::uint32_t rgb_of(const Color<Real>& color) {
   return component_of(color.x) << 16U | component_of(color.y) << 8U | component_of(color.z);
 }
 
-/// The ray from the eye through a pixel's centre, in the screen frame; its length is such that the
-/// depth grows by 1 per unit of distance.
-template <class Real>
+/// The ray through a pixel's centre, in the screen frame; its length is such that the depth grows
+/// by 1 per unit of distance.
+template <Projection projection = Projection::perspective, class Real>
 RayQuery<Real> primary_ray(const Observer<Real>& observer, std::int16_t column, std::int16_t row) {
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 3);
+  if constexpr (projection == Projection::parallel) {
+    return {{{observer.left + from_integer<Real>(column) * observer.step,
+              observer.top - from_integer<Real>(row) * observer.step, zero},
+             {zero, zero, constant<Real>(1)}},
+            far_away<Real>(),
+            true,
+            column,
+            row};
+  }
   return {{{zero, zero, zero},
            {observer.left + from_integer<Real>(column) * observer.step,
             observer.top - from_integer<Real>(row) * observer.step, constant<Real>(1)}},
@@ -63,7 +73,7 @@ struct SampleSum {
 };
 
 /// Casts the ray through a cell of the grid over a pixel.
-template <class Real>
+template <Projection projection, class Real>
 void cast_sample(const Frame<Real>& frame, const WorkArea<Real>& area,
                  const RayQuery<Real>& primary, std::int32_t x, std::int32_t y,
                  SampleSum<Real>& samples, Sight<Real>& sight) {
@@ -71,8 +81,9 @@ void cast_sample(const Frame<Real>& frame, const WorkArea<Real>& area,
   const std::int32_t per_side = frame.database.samples.per_side;
   const Real cell = observer.step / from_integer<Real>(2 * per_side);
   RayQuery<Real> query = primary;
-  query.ray.direction.x += cell * from_integer<Real>(2 * x + 1 - per_side);
-  query.ray.direction.y -= cell * from_integer<Real>(2 * y + 1 - per_side);
+  Vector<Real>& place = projection == Projection::parallel ? query.ray.origin : query.ray.direction;
+  place.x += cell * from_integer<Real>(2 * x + 1 - per_side);
+  place.y -= cell * from_integer<Real>(2 * y + 1 - per_side);
   const Real nearest = sight.depth;
   sight.depth = far_away<Real>();
   const Color<Real> color = displayable(luminance(frame, query, area, sight));
@@ -85,7 +96,7 @@ void cast_sample(const Frame<Real>& frame, const WorkArea<Real>& area,
 /// Luminance of a pixel as the mean of a regular grid of rays. With a contrast, those in the
 /// corners of the grid come first, and only where two of them differ by more in one colour the
 /// others (Whitted 1980, of whose neighbouring pixels a board has none).
-template <class Real>
+template <Projection projection, class Real>
 [[gnu::noinline]] Color<Real> sampled_luminance(const Frame<Real>& frame,
                                                 const RayQuery<Real>& primary,
                                                 const WorkArea<Real>& area, Sight<Real>& sight) {
@@ -96,7 +107,8 @@ template <class Real>
   const bool corners_first = grid.contrast > constant<Real>(0);
   if (corners_first) {
     for (std::int32_t corner = 0; corner < 4; ++corner) {
-      cast_sample(frame, area, primary, (corner & 1) * last, (corner >> 1) * last, samples, sight);
+      cast_sample<projection>(frame, area, primary, (corner & 1) * last, (corner >> 1) * last,
+                              samples, sight);
     }
     const Color<Real> apart = samples.high - samples.low;
     if (!(larger(apart.x, larger(apart.y, apart.z)) > grid.contrast)) {
@@ -109,27 +121,38 @@ template <class Real>
       if (corners_first && is_edge && (x == 0 || x == last)) {
         continue;
       }
-      cast_sample(frame, area, primary, x, y, samples, sight);
+      cast_sample<projection>(frame, area, primary, x, y, samples, sight);
     }
   }
   return samples.sum / from_integer<Real>(grid.per_side * grid.per_side);
 }
 
 /// Computes one pixel of the useful zone. Independent of every other pixel.
-template <class Real>
+template <Projection projection, class Real>
 PixelOf<Real> synthesize(const Frame<Real>& frame, const WorkArea<Real>& area, std::int16_t column,
                          std::int16_t row) {
   charge<Real>(Operation::pixel);
   PixelOf<Real> pixel{};
-  const RayQuery<Real> primary = primary_ray(frame.database.observer, column, row);
+  const RayQuery<Real> primary = primary_ray<projection>(frame.database.observer, column, row);
   Sight<Real> sight;
-  pixel.rgb = rgb_of(frame.database.needs.samples ? sampled_luminance(frame, primary, area, sight)
-                                                  : luminance(frame, primary, area, sight));
+  pixel.rgb = rgb_of(frame.database.needs.samples
+                         ? sampled_luminance<projection>(frame, primary, area, sight)
+                         : luminance(frame, primary, area, sight));
   pixel.rays = sight.rays;
   if (frame.database.needs.depth) {
     pixel.depth = depth_code(frame.prepared.depths, sight.depth);
   }
   return pixel;
+}
+
+/// The same of the scene's own projection.
+template <class Real>
+[[gnu::always_inline]] inline PixelOf<Real> synthesize(const Frame<Real>& frame,
+                                                       const WorkArea<Real>& area,
+                                                       std::int16_t column, std::int16_t row) {
+  return is_parallel(frame.database)
+             ? synthesize<Projection::parallel>(frame, area, column, row)
+             : synthesize<Projection::perspective>(frame, area, column, row);
 }
 
 }  // namespace maquette::firmware

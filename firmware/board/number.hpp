@@ -7,6 +7,7 @@
 #include "firmware/arithmetic/number_format.hpp"
 #include "firmware/arithmetic/real.hpp"
 #include "firmware/arithmetic/work.hpp"
+#include "firmware/projection.hpp"
 
 /// The number type of a board's program: numbers of a format, computed by an arithmetic package.
 /// Its routines take their operands in D7 and D6, leave the result in D7 and use up D3 to D5; after
@@ -127,6 +128,9 @@ template <class Format>
 struct RayCounting<Number<Format>> {
   using Counts = RayNumbers<std::uint16_t>;
 };
+/// Which program a board holds the host says (synthesis_parallel.cpp).
+template <class Format>
+inline constexpr bool k_is_linked_for_projection<Number<Format>> = true;
 
 }  // namespace maquette::firmware
 

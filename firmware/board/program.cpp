@@ -29,7 +29,8 @@ void synthesize_unit(const BoardTask<BoardNumber>& task, const Rectangle& unit, 
       flush(task.order, line);
     }
     for (std::int16_t column = unit.first_column; column < unit.end_column; ++column) {
-      put(task.order, line, column, row, synthesize(task.frame, task.area, column, row));
+      put(task.order, line, column, row,
+          synthesize<Projection::perspective>(task.frame, task.area, column, row));
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <numeric>
 #include <string_view>
+#include <utility>
 
 #include "firmware/board_code_ffp.hpp"
 #include "firmware/board_code_ieee_single.hpp"
@@ -102,8 +103,9 @@ bool is_primitive_table(std::string_view name) {
 class Reach {
  public:
   Reach(const firmware::ProgramCode& code, const Needs& needs,
-        std::optional<BoardPieces::Detour> detour)
-      : needs_(needs), pieces_{&code, std::vector<std::uint32_t>(code.pieces.size()), detour} {}
+        std::vector<BoardPieces::Detour> detours)
+      : needs_(needs),
+        pieces_{&code, std::vector<std::uint32_t>(code.pieces.size()), std::move(detours)} {}
 
   void add(std::uint32_t number) {
     const CodePiece& piece = pieces_.code->pieces[number];
@@ -116,7 +118,8 @@ class Reach {
     for (std::uint32_t i = 0; i < piece.addresses; ++i) {
       const firmware::CodeAddress& address = pieces_.code->addresses[piece.first_address + i];
       const bool is_needed = !is_table || needs_.primitives[address.offset / row_bytes];
-      if (address.piece != firmware::k_package && is_needed) {
+      if (address.piece != firmware::k_package && is_needed &&
+          is_open(pieces_.code->pieces[address.piece].name, needs_)) {
         add(pieces_.target(address.piece));
       }
     }
@@ -148,12 +151,32 @@ std::uint32_t number_of(const firmware::ProgramCode& code, const CodeName& piece
   return static_cast<std::uint32_t>(found - code.pieces.begin());
 }
 
-std::optional<BoardPieces::Detour> detour_of(const firmware::ProgramCode& code,
-                                             models::Allotment order) {
-  return order == models::Allotment::interlaced
-             ? std::optional(BoardPieces::Detour{number_of(code, k_synthesis),
-                                                 number_of(code, k_interlaced_synthesis)})
-             : std::nullopt;
+/// Functions, and what a parallel view has in their place.
+struct Replacement {
+  CodeName from;
+  CodeName to;
+};
+
+constexpr Replacement k_of_parallel_view[] = {
+    {"preprocessing::projected", "parallel_projected"},
+    {"cross_convex", "parallel_cross_convex"},
+    {"cross_spans", "parallel_cross_spans"},
+    {"face_point", "parallel_face_point"},
+    {"synthesize_unit", "parallel_synthesize_unit"},
+};
+
+std::vector<BoardPieces::Detour> detours_of(const firmware::ProgramCode& code, const Needs& needs,
+                                            models::Allotment order) {
+  std::vector<BoardPieces::Detour> detours;
+  if (order == models::Allotment::interlaced) {
+    detours.push_back({number_of(code, k_synthesis), number_of(code, k_interlaced_synthesis)});
+  }
+  if (needs.parallel_view) {
+    for (const Replacement& replacement : k_of_parallel_view) {
+      detours.push_back({number_of(code, replacement.from), number_of(code, replacement.to)});
+    }
+  }
+  return detours;
 }
 
 }  // namespace
@@ -173,7 +196,7 @@ BoardPieces all_pieces(const firmware::ProgramCode& code) {
 
 BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs,
                           models::Allotment order) {
-  Reach reach(code, needs, detour_of(code, order));
+  Reach reach(code, needs, detours_of(code, needs, order));
   reach.add(number_of(code, k_beginning));
   return reach.pieces();
 }

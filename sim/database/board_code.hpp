@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "firmware/database.hpp"
@@ -23,11 +22,14 @@ struct BoardPieces {
     std::uint32_t from;
     std::uint32_t to;
   };
-  std::optional<Detour> detour = {};
+  std::vector<Detour> detours = {};
 
   /// Where an address of a piece leads.
   [[nodiscard]] std::uint32_t target(std::uint32_t piece) const {
-    return detour && detour->from == piece ? detour->to : piece;
+    for (const Detour& detour : detours) {
+      piece = detour.from == piece ? detour.to : piece;
+    }
+    return piece;
   }
 };
 
@@ -37,7 +39,8 @@ struct BoardPieces {
 /// What a board can come to in a scene with these needs: the pieces to which the addresses in its
 /// program lead, from its beginning on. Of the table of primitives, the rows behind the last that
 /// is needed are left out, so that a further primitive takes nothing from scenes without it. Boards
-/// of an interlace have its loop over their pixels in place of the others'.
+/// of an interlace have its loop over their pixels in place of the others', and in a parallel view
+/// the functions that are for one.
 [[nodiscard]] BoardPieces needed_pieces(const firmware::ProgramCode& code,
                                         const firmware::Needs& needs, models::Allotment order = {});
 

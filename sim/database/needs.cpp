@@ -82,6 +82,7 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
     });
     needs.textured = needs.textured || needs.textures[kind];
   }
+  needs.parallel_view = scene.view.projection == firmware::Projection::parallel;
   needs.samples = scene.samples && scene.samples->per_side > 1;
   needs.reflections = needs.specular && scene.ray_tree.depth > 0;
   return needs;
@@ -89,7 +90,8 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
 
 namespace {
 
-/// Calls `visit(name, need)` for each need of `needs`.
+/// Calls `visit(name, need)` for each need of `needs`; a parallel view is none, since what it has
+/// stands in place of something else.
 template <class Visit>
 void for_each_need(firmware::Needs& needs, Visit visit) {
   for (std::size_t kind = 0; kind < primitive_table().size(); ++kind) {

@@ -10,7 +10,8 @@ namespace maquette::sim {
 
 namespace {
 
-/// What an eye sees one unit in front of it, in the screen frame.
+/// What an eye sees one unit in front of it, or a parallel view at any distance, in the screen
+/// frame.
 struct Window {
   Placement from_screen;  ///< x to the right, y up, z into the scene
   double center_x = 0;
@@ -35,19 +36,26 @@ double spanned(double angle_deg) {
   return 2 * firmware::sine(half) / firmware::cosine(half);
 }
 
+/// How much larger things are on a screen at a distance than one unit in front of the eye.
+double scale_at(const View& view, double distance) {
+  return view.projection == firmware::Projection::parallel ? 1 : distance;
+}
+
 Window window_in_front(const View& view, const PictureFormat& format) {
   const Vector3 forward = glm::normalize(view.target - view.eye);
   const Vector3 right = glm::normalize(glm::cross(forward, view.up));
   const Vector3 up = glm::cross(right, forward);
   Window window;
   window.from_screen = screen_frame(right, up, forward, view.eye);
-  if (view.field_of_view_deg) {
+  if (view.height) {
+    window.height = *view.height;
+  } else if (view.field_of_view_deg) {
     window.height = spanned(*view.field_of_view_deg);
   } else if (view.horizontal_field_of_view_deg) {
     window.height = spanned(*view.horizontal_field_of_view_deg) * format.height / format.width;
   } else {
-    window.height = height_around(view.screen->width / view.screen->distance,
-                                  view.screen->height / view.screen->distance, format);
+    const double scale = scale_at(view, view.screen->distance);
+    window.height = height_around(view.screen->width / scale, view.screen->height / scale, format);
   }
   return window;
 }
@@ -59,7 +67,7 @@ Window window_placed(const View& view, const PictureFormat& format) {
   const Vector3 up = glm::normalize(place[1]);
   const Vector3 forward = -glm::cross(right, up);
   const Vector3 to_center = place[3] - view.eye;
-  const double distance = glm::dot(to_center, forward);
+  const double distance = scale_at(view, glm::dot(to_center, forward));
   Window window;
   window.from_screen = screen_frame(right, up, forward, view.eye);
   window.center_x = glm::dot(to_center, right) / distance;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/facets/facet_table.hpp"
+#include "firmware/projection.hpp"
 #include "firmware/textures/texture_table.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/primitives/primitive.hpp"
@@ -27,7 +28,8 @@ struct Screen {
   std::optional<Placement> placement;
 };
 
-/// The observer (paper, section II.1): exactly one of the fields of view and screen is given. A
+/// The observer (paper, section II.1): exactly one of the fields of view and screen is
+/// given, of a parallel view height or screen. A
 /// screen that is placed takes the place of target and up.
 struct View {
   Vector3 eye{0, 0, 0};
@@ -36,6 +38,8 @@ struct View {
   std::optional<double> field_of_view_deg;  ///< vertical; pixels are square
   std::optional<double> horizontal_field_of_view_deg;
   std::optional<Screen> screen;
+  std::optional<firmware::Projection> projection;  ///< perspective when it is not said
+  std::optional<double> height;                    ///< of what a parallel view shows
 };
 
 /// A light that shines in a cone only.

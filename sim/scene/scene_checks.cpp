@@ -129,6 +129,28 @@ void check_screen(const View& view, const YamlNode& node) {
   }
 }
 
+/// How much of the scene the picture shows is said once.
+void check_window(const View& view, const YamlNode& node) {
+  const int angles = (view.field_of_view_deg ? 1 : 0) + (view.horizontal_field_of_view_deg ? 1 : 0);
+  const int heights = view.height ? 1 : 0;
+  if (view.projection == firmware::Projection::parallel) {
+    if (angles != 0 || heights + (view.screen ? 1 : 0) != 1) {
+      fail(node, view.screen ? "screen" : "view",
+           "of an orthographic view one of height, screen is allowed and needed, and no field of "
+           "view");
+    }
+    return;
+  }
+  if (heights != 0) {
+    fail(node, "height",
+         "in perspective it depends on the distance; allowed where projection is orthographic");
+  }
+  if (angles + (view.screen ? 1 : 0) != 1) {
+    fail(node, view.screen ? "screen" : "view",
+         "one of field_of_view, horizontal_field_of_view, screen is allowed and needed");
+  }
+}
+
 void check_view(const View& view, const YamlNode& node) {
   if (view.screen && view.screen->placement) {
     check_screen(view, *node.find("screen"));
@@ -144,12 +166,7 @@ void check_view(const View& view, const YamlNode& node) {
   if (view.up == Vector3{0, 0, 0} || !(glm::length(glm::cross(direction, up)) > k_least_sine)) {
     fail(node, "up", "it has no part across the direction from eye to target; another is allowed");
   }
-  const int given = (view.field_of_view_deg ? 1 : 0) + (view.horizontal_field_of_view_deg ? 1 : 0) +
-                    (view.screen ? 1 : 0);
-  if (given != 1) {
-    fail(node, view.screen ? "screen" : "view",
-         "one of field_of_view, horizontal_field_of_view, screen is allowed and needed");
-  }
+  check_window(view, node);
 }
 
 void check_surface(const Surface& surface, const YamlNode& node) {

@@ -44,9 +44,16 @@ void declare_screen(Visitor& visitor, Screen& screen) {
   visitor.field(required("height", "in scene units"), screen.height, k_length);
 }
 
+inline ChoiceType<firmware::Projection> projection_choices() {
+  return {{{"perspective", firmware::Projection::perspective},
+           {"orthographic", firmware::Projection::parallel}}};
+}
+
 template <class Visitor>
 void declare_view(Visitor& visitor, View& view) {
   visitor.field(required("eye", "where the observer stands"), view.eye, k_point);
+  visitor.field({"projection", "onto the screen, perspective if not said"}, view.projection,
+                projection_choices());
   declare_optional(visitor, {"screen", "rectangle in front of the eye; or give a field_of_view"},
                    view.screen, [&](Screen& screen) { declare_screen(visitor, screen); });
   if (view.screen && view.screen->placement) {
@@ -58,6 +65,8 @@ void declare_view(Visitor& visitor, View& view) {
                 RealType{RealDimension::angle, {0.001, 179}});
   visitor.field({"horizontal_field_of_view", "the angle across; or give a screen"},
                 view.horizontal_field_of_view_deg, RealType{RealDimension::angle, {0.001, 179}});
+  visitor.field({"height", "of what an orthographic view shows, in scene units; or give a screen"},
+                view.height, k_length);
 }
 
 template <class Visitor>

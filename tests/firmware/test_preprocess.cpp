@@ -75,6 +75,35 @@ TEMPLATE_TEST_CASE("No primary ray that meets a tree fails its rectangles", "", 
   CHECK(lost == 0);
 }
 
+TEMPLATE_TEST_CASE("No ray of a parallel view that meets a tree fails its rectangles", "", float,
+                   double) {
+  Random random(703);
+  int met = 0;
+  int lost = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const double size = random.magnitude(1e-3, 1e3);
+    const Vector<double> center =
+        Vector<double>(random.uniform(-2, 2), random.uniform(-2, 2), random.magnitude(0.5, 20)) *
+        size;
+    Model model;
+    model.needs.parallel_view = true;
+    model.field = size * random.uniform(2, 6);
+    const auto tree = trial::random_tree(random, model, 1 + random.below(9), center, size);
+    TreePair<TestType> pair(tree.model, tree.root);
+    for (std::int16_t row = 0; row < tree.model.rows; row = static_cast<std::int16_t>(row + 3)) {
+      for (std::int16_t column = 0; column < tree.model.columns; ++column) {
+        const auto query =
+            primary_ray<Projection::parallel>(pair.open.frame.database.observer, column, row);
+        const auto reference = pair.open.crossings_of(query);
+        met += reference.empty() ? 0 : 1;
+        lost += are_same(reference, pair.shut.crossings_of(query)) ? 0 : 1;
+      }
+    }
+  }
+  CHECK(met > 4000);
+  CHECK(lost == 0);
+}
+
 TEST_CASE("Rectangles and spheres are tight around a single body") {
   Model model;
   model.columns = 64;
