@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "6634df3a46e550adb2d0917b7a78d7f3a21c54a4";
+inline constexpr const char* k_firmware_version = "081b6b2e88b93c1488cd8ed0d9deadf1280a4a08";
 
 inline constexpr CodePiece k_pieces[] = {
     {"exponential", 0, 173, 0, 25, 28},
