@@ -9,7 +9,7 @@ namespace maquette::firmware {
 
 enum class Function : std::uint8_t {
   pixel,           ///< the ray through a pixel, its colour and its depth
-  preparation,     ///< lights, surfaces and depths before the first pixel
+  preparation,     ///< conversions, lights, surfaces and depths before the first pixel
   concatenation,   ///< frames of the primitives, there and back
   boxes,           ///< around the nodes
   rectangles,      ///< around the projected boxes

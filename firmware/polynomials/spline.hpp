@@ -15,22 +15,23 @@ constexpr int section_count(int control_points, bool is_open) {
 /// are computed once, so that sections share them.
 template <class Real>
 void write_bezier_points(const Real* control, int control_points, int sections, Real* points) {
+  const Real two = constant<Real>(2);
   const Real third = constant<Real>(1) / constant<Real>(3);
   const auto at = [&](int index, int coordinate) {
     charge<Real>(Operation::load);
-    return control[index % control_points * k_point_reals + coordinate];
+    return control[(index < control_points ? index : index - control_points) * k_point_reals +
+                   coordinate];
   };
   for (int i = 0; i <= sections; ++i) {
     for (int k = 0; k < 2; ++k) {
-      const Real before = at(i, k);
       const Real middle = at(i + 1, k);
       const Real after = at(i + 2, k);
-      const Real two = constant<Real>(2);
+      const Real twice = two * middle;
+      const Real ahead = (twice + after) * third;
       Real* joint = points + i * k_section_stride + k;
-      joint[0] =
-          ((before + two * middle) * third + (after + two * middle) * third) * constant<Real>(0.5);
+      joint[0] = ((at(i, k) + twice) * third + ahead) * constant<Real>(0.5);
       if (i < sections) {
-        joint[2] = (two * middle + after) * third;
+        joint[2] = ahead;
         joint[4] = (middle + two * after) * third;
       }
     }

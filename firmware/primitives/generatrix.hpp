@@ -1,65 +1,57 @@
 #pragma once
 
-#include "firmware/polynomials/spline.hpp"
-#include "firmware/primitives/revolution.hpp"
+#include "firmware/arithmetic/work.hpp"
+#include "firmware/polynomials/plane_cubic.hpp"
 
-/// From the control points of a uniform cubic B-spline, or from sections, to the parameters of a
-/// solid of revolution (paper, sections IV.2.1 and IV.2.2).
+/// The generatrix of a solid of revolution as rays are intersected with it.
+///
+/// Parameters: number of sections; 1 if open, 0 if closed; tolerance of the roots that give a ray's
+/// hits, in ulps; the extents of a balanced binary tree over the sections, each node before its
+/// children; the control points, three for each section and the last.
 namespace maquette::firmware::revolution {
+
+inline constexpr std::ptrdiff_t k_header_reals = 3;
+inline constexpr std::ptrdiff_t k_root_tolerance = 2;  ///< its place among the parameters
+inline constexpr std::ptrdiff_t k_extent_reals = 4;
+
+/// Around the control points of a node's sections.
+template <class Real>
+struct RingExtent {
+  Real low_z;
+  Real high_z;
+  Real low_r;
+  Real high_r;
+};
+
+template <class Real>
+struct Generatrix {
+  int sections;
+  bool is_open;
+  const Real* extents;
+  const Real* points;
+
+  [[nodiscard]] const Real* section(int number) const { return points + number * k_section_stride; }
+  [[nodiscard]] RingExtent<Real> extent(int node) const {
+    const Real* at = extents + node * k_extent_reals;
+    charge<Real>(Operation::load, 4);
+    return {at[0], at[1], at[2], at[3]};
+  }
+};
+
+template <class Real>
+Generatrix<Real> generatrix(const Real* parameters) {
+  charge<Real>(Operation::load, 2);
+  Generatrix<Real> result;
+  result.sections = to_integer(parameters[0]);
+  result.is_open = parameters[1] > constant<Real>(0);
+  result.extents = parameters + k_header_reals;
+  result.points = result.extents + (2 * result.sections - 1) * k_extent_reals;
+  return result;
+}
 
 constexpr std::ptrdiff_t parameter_count(int sections) {
   return k_header_reals + (2 * sections - 1) * k_extent_reals + sections * k_section_stride +
          k_point_reals;
-}
-
-/// Extents of the tree's nodes from the control points, each node before its children.
-template <class Real>
-void write_extents(const Real* points, int sections, Real* extents) {
-  Real* own = extents;
-  own[0] = own[1] = points[1];
-  own[2] = own[3] = points[0];
-  for (int i = 1; i <= 3 * sections; ++i) {
-    charge<Real>(Operation::load, 2);
-    const Real* point = points + i * k_point_reals;
-    own[0] = smaller(own[0], point[1]);
-    own[1] = larger(own[1], point[1]);
-    own[2] = smaller(own[2], point[0]);
-    own[3] = larger(own[3], point[0]);
-  }
-  if (sections > 1) {
-    const int half = sections / 2;
-    write_extents(points, half, extents + k_extent_reals);
-    write_extents(points + half * k_section_stride, sections - half,
-                  extents + half * (2 * k_extent_reals));
-  }
-}
-
-/// Fills what precedes the extents. Returns where the Bezier points lie.
-template <class Real>
-Real* write_header(int sections, bool is_open, Real* parameters) {
-  parameters[0] = from_integer<Real>(sections);
-  parameters[1] = constant<Real>(is_open ? 1 : 0);
-  parameters[k_root_tolerance] = constant<Real>(1);
-  return parameters + k_header_reals + (2 * sections - 1) * k_extent_reals;
-}
-
-/// Fills `parameters` (parameter_count) from pairs (r, z) of control points.
-template <class Real>
-void write_parameters(const Real* control, int control_points, bool is_open, Real* parameters) {
-  const int sections = section_count(control_points, is_open);
-  Real* points = write_header(sections, is_open, parameters);
-  write_bezier_points(control, control_points, sections, points);
-  write_extents(points, sections, parameters + k_header_reals);
-}
-
-/// Fills `parameters` from pairs (r, z) of Bezier points, three for each section and the last.
-template <class Real>
-void write_section_parameters(const Real* bezier, int sections, bool is_open, Real* parameters) {
-  Real* points = write_header(sections, is_open, parameters);
-  for (int i = 0; i < sections * k_section_stride + k_point_reals; ++i) {
-    points[i] = bezier[i];
-  }
-  write_extents(points, sections, parameters + k_header_reals);
 }
 
 }  // namespace maquette::firmware::revolution

@@ -1,64 +1,22 @@
 #pragma once
 
-#include "firmware/primitives/hit_order.hpp"
+#include "firmware/primitives/generatrix_conversion.hpp"
+#include "firmware/primitives/hit_list.hpp"
+#include "firmware/primitives/revolution_faces.hpp"
 #include "firmware/primitives/revolution_section.hpp"
 #include "firmware/primitives/surface_map.hpp"
 
 /// A solid of revolution about the z axis (paper, section IV): its generatrix is a chain of cubic
 /// Bezier sections (r, z) with r >= 0 that has the solid on its left; where the chain is open,
-/// discs at its ends close the solid. Faces: the sections by their numbers, then the first and the
-/// last disc.
-///
-/// Parameters: number of sections; 1 if open, 0 if closed; tolerance of the roots that give a ray's
-/// hits, in ulps; the extents of a balanced binary tree
-/// over the sections, each node before its children; the control points, three for each section and
-/// the last.
+/// discs at its ends close the solid (revolution_faces.hpp). The parameters are those of a
+/// generatrix (generatrix.hpp), which boards make of its control points. Its sections are the
+/// leaves of a binary tree whose nodes unite their surfaces (the paper's operator +S).
 namespace maquette::firmware::revolution {
 
-inline constexpr int k_section_limit = 32;
-inline constexpr int k_tree_height = 5;  ///< of the binary tree over so many sections
-inline constexpr int k_hit_limit = k_section_limit * k_section_degree + 2;
-static_assert(k_hit_limit <= k_primitive_hit_limit);
-inline constexpr std::uint8_t k_first_disc = k_section_limit;
-inline constexpr std::uint8_t k_last_disc = k_section_limit + 1;
-inline constexpr std::ptrdiff_t k_header_reals = 3;
-inline constexpr std::ptrdiff_t k_root_tolerance = 2;  ///< its place among the parameters
-inline constexpr std::ptrdiff_t k_extent_reals = 4;
-
-/// Around the control points of a node's sections.
-template <class Real>
-struct RingExtent {
-  Real low_z;
-  Real high_z;
-  Real low_r;
-  Real high_r;
-};
-
-template <class Real>
-struct Generatrix {
-  int sections;
-  bool is_open;
-  const Real* extents;
-  const Real* points;
-
-  [[nodiscard]] const Real* section(int number) const { return points + number * k_section_stride; }
-  [[nodiscard]] RingExtent<Real> extent(int node) const {
-    const Real* at = extents + node * k_extent_reals;
-    charge<Real>(Operation::load, 4);
-    return {at[0], at[1], at[2], at[3]};
-  }
-};
-
-template <class Real>
-Generatrix<Real> generatrix(const Real* parameters) {
-  charge<Real>(Operation::load, 2);
-  Generatrix<Real> result;
-  result.sections = to_integer(parameters[0]);
-  result.is_open = parameters[1] > constant<Real>(0);
-  result.extents = parameters + k_header_reals;
-  result.points = result.extents + (2 * result.sections - 1) * k_extent_reals;
-  return result;
-}
+/// Of the binary tree over the sections: how deep functions may call themselves. So many sections
+/// take 4 MB of a board's RAM.
+inline constexpr int k_tree_height = 16;
+inline constexpr int k_section_limit = 1 << k_tree_height;
 
 /// Whether a ray certainly passes a node: beside its largest radius at all its heights, or through
 /// its hole. Rounding keeps the order of the terms compared here and in the sections' equations, so
@@ -81,21 +39,33 @@ bool misses(const AxialRay<Real>& ray, const RingExtent<Real>& extent) {
          most * most < ray.inner(extent.low_r) * ray.outer(extent.low_r);
 }
 
-/// Writes the hits of the sections below a node of the tree, in no order; returns their number.
+/// A ray on its way through the tree of a generatrix.
 template <class Real>
-int intersect_node(const AxialRay<Real>& ray, const Generatrix<Real>& curve, int node, int first,
-                   int sections, Hit<Real>* hits) {
+struct TreeWalk {
+  AxialRay<Real> ray;
+  Generatrix<Real> curve;
+  HitList<Real> list;
+};
+
+/// Adds the hits of the sections below a node, of which `first` is the first.
+template <class Real>
+void intersect_node(TreeWalk<Real>& walk, int node, int first, int sections) {
   charge<Real>(Operation::part);
-  if (misses(ray, curve.extent(node))) {
-    return 0;
+  while (!misses(walk.ray, walk.curve.extent(node))) {
+    if (sections == 1) {
+      HitList<Real>& list = walk.list;
+      make_room(list, k_section_degree);
+      list.count += intersect_section(walk.ray, walk.curve.section(first), face_of(first),
+                                      list.hits + list.count);
+      return;
+    }
+    const int half = sections / 2;
+    intersect_node(walk, node + 1, first, half);
+    charge<Real>(Operation::part);
+    node += 2 * half;
+    first += half;
+    sections -= half;
   }
-  if (sections == 1) {
-    return intersect_section(ray, curve.section(first), static_cast<std::uint8_t>(first), hits);
-  }
-  const int half = sections / 2;
-  const int count = intersect_node(ray, curve, node + 1, first, half, hits);
-  return count +
-         intersect_node(ray, curve, node + 2 * half, first + half, sections - half, hits + count);
 }
 
 /// Adds the hit on a disc through the control point (r, z), where the ray passes nearer to the
@@ -113,23 +83,20 @@ int intersect_disc(const AxialRay<Real>& ray, const Real* point, std::uint8_t fa
 
 template <class Real>
 int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
-  const Generatrix<Real> curve = generatrix(parameters);
-  AxialRay<Real> axial = axial_ray(ray);
+  TreeWalk<Real> walk{axial_ray(ray), generatrix(parameters), hit_list(hits)};
+  const AxialRay<Real>& axial = walk.ray;
+  const Generatrix<Real>& curve = walk.curve;
   charge<Real>(Operation::load);
-  axial.root_tolerance *= parameters[k_root_tolerance];
-  int count = intersect_node(axial, curve, 0, 0, curve.sections, hits);
+  walk.ray.root_tolerance *= parameters[k_root_tolerance];
+  intersect_node(walk, 0, 0, curve.sections);
+  HitList<Real>& list = walk.list;
   if (curve.is_open) {
-    count += intersect_disc(axial, curve.points, k_first_disc, hits + count);
-    count += intersect_disc(axial, curve.section(curve.sections), k_last_disc, hits + count);
+    make_room(list, 2);
+    list.count += intersect_disc(axial, curve.points, k_first_disc, hits + list.count);
+    list.count +=
+        intersect_disc(axial, curve.section(curve.sections), k_last_disc, hits + list.count);
   }
-  sort(hits, count);
-  return count;
-}
-
-/// Distance from the axis.
-template <class Real>
-Real radius_of(const Vector<Real>& point) {
-  return square_root(point.x * point.x + point.y * point.y);
+  return in_order(list);
 }
 
 /// The normal is perpendicular to the curve in the half-plane of the point (paper, section IV.2.3),
@@ -145,8 +112,8 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
     const Real height = curve.section(is_first ? 0 : curve.sections)[1];
     return {{point.x, point.y, height}, {zero, zero, is_first ? -one : one}};
   }
-  const Real* points = curve.section(face);
   const Real radius = radius_of(point);
+  const Real* points = curve.section(section_of(curve, face, radius, point.z));
   const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
   if (!(radius > zero)) {
     return {{zero, zero, on.y}, {zero, zero, on.change_x > zero ? -one : one}};
@@ -159,7 +126,8 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
 
 template <class Real>
 int hit_limit(const Real* parameters) {
-  return to_integer(parameters[0]) * k_section_degree + 2;
+  const int most = to_integer(parameters[0]) * k_section_degree + 2;
+  return most < k_primitive_hit_limit ? most : k_primitive_hit_limit;
 }
 
 template <class Real>
@@ -180,13 +148,17 @@ SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
     const Real inverse = constant<Real>(1) / curve.extent(0).high_r;
     return {from_edges(point.x * inverse), from_edges(point.y * inverse)};
   }
-  const Real along = nearest_parameter(curve.section(face), radius_of(point), point.z);
+  const Real radius = radius_of(point);
+  const int section = section_of(curve, face, radius, point.z);
+  const Real along = nearest_parameter(curve.section(section), radius, point.z);
   return {turn_of(point.x, point.y),
-          within_unit((from_integer<Real>(face) + along) / from_integer<Real>(curve.sections))};
+          within_unit((from_integer<Real>(section) + along) / from_integer<Real>(curve.sections))};
 }
 
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr auto k_convert = convert<Real>;
   template <class Real>
   static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>

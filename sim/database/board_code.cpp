@@ -9,7 +9,7 @@
 #include "firmware/board_code_ffp.hpp"
 #include "firmware/board_code_ieee_single.hpp"
 #include "firmware/facets/facet_table.hpp"
-#include "firmware/primitives/primitive_table.hpp"
+#include "firmware/primitives/conversion_table.hpp"
 #include "firmware/textures/texture_table.hpp"
 #include "sim/primitives/board_call.hpp"
 
@@ -92,7 +92,7 @@ bool is_open(std::string_view function, const Needs& needs) {
 constexpr std::uint32_t bytes_of(const CodePiece& piece) { return 2 * piece.words; }
 
 /// Tables of addresses with a row for each primitive, of which those that a scene needs are kept.
-constexpr CodeName k_tables[] = {"k_primitives", "k_surface_maps"};
+constexpr CodeName k_tables[] = {"k_primitives", "k_surface_maps", "k_conversions"};
 
 bool is_primitive_table(std::string_view name) {
   return std::any_of(std::begin(k_tables), std::end(k_tables),
@@ -141,8 +141,19 @@ class Reach {
 };
 
 constexpr CodeName k_beginning = "board_program";
+constexpr CodeName k_converting_beginning = "converting_program";
 constexpr CodeName k_synthesis = "board_synthesis";
 constexpr CodeName k_interlaced_synthesis = "interlaced_synthesis";
+
+/// Whether there is a primitive whose parameters boards make of what is given.
+bool converts(const Needs& needs) {
+  bool any = false;
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    const auto primitive = static_cast<firmware::PrimitiveKind>(kind);
+    any = any || (needs.primitives[kind] && firmware::conversion_of<float>(primitive) != nullptr);
+  }
+  return any;
+}
 
 std::uint32_t number_of(const firmware::ProgramCode& code, const CodeName& piece) {
   const auto* const found =
@@ -197,7 +208,7 @@ BoardPieces all_pieces(const firmware::ProgramCode& code) {
 BoardPieces needed_pieces(const firmware::ProgramCode& code, const Needs& needs,
                           models::Allotment order) {
   Reach reach(code, needs, detours_of(code, needs, order));
-  reach.add(number_of(code, k_beginning));
+  reach.add(number_of(code, converts(needs) ? k_converting_beginning : k_beginning));
   return reach.pieces();
 }
 

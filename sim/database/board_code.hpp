@@ -40,7 +40,7 @@ struct BoardPieces {
 /// program lead, from its beginning on. Of the table of primitives, the rows behind the last that
 /// is needed are left out, so that a further primitive takes nothing from scenes without it. Boards
 /// of an interlace have its loop over their pixels in place of the others', and in a parallel view
-/// the functions that are for one.
+/// the functions that are for one; where a primitive has a conversion they begin with it.
 [[nodiscard]] BoardPieces needed_pieces(const firmware::ProgramCode& code,
                                         const firmware::Needs& needs, models::Allotment order = {});
 

@@ -23,17 +23,19 @@ void tell_places(const RamLayout& layout, BoardWriter& writer) {
 }
 
 /// Tells where arrays are that follow one another from an address on.
-void tell_arrays(const firmware::Database<float>& database, std::uint32_t address,
+void tell_arrays(const firmware::Database<float>& database,
+                 const firmware::Conversion<float>& conversion, std::uint32_t address,
                  BoardWriter& writer) {
-  for_each_array(database, [&](const auto* first, std::size_t count) {
+  for_each_array(database, conversion, [&](const auto* first, std::size_t count) {
     writer.tell(first, address);
     address += static_cast<std::uint32_t>(static_cast<std::int64_t>(count) *
                                           firmware::board_bytes<std::decay_t<decltype(*first)>>());
   });
 }
 
-void write_arrays(const firmware::Database<float>& database, BoardWriter& writer) {
-  for_each_array(database, [&writer](const auto* first, std::size_t count) {
+void write_arrays(const firmware::Database<float>& database,
+                  const firmware::Conversion<float>& conversion, BoardWriter& writer) {
+  for_each_array(database, conversion, [&writer](const auto* first, std::size_t count) {
     if (count > 0) {
       writer.write(writer.address_of(first), first, count);
     }
@@ -50,12 +52,14 @@ std::uint32_t prepare_stack(std::uint32_t task, std::vector<unsigned char>& ram,
 
 }  // namespace
 
-BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+BoardImage board_image(firmware::NumberFormat numbers, const PreparedScene<float>& scene,
                        const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
                        const BoardRoom& room) {
+  const firmware::Frame<float>& frame = scene.frame();
+  const firmware::Conversion<float>& conversion = scene.conversion();
   const BoardPieces pieces = needed_pieces(program_code(numbers), frame.database.needs, room.order);
   firmware::BoardTask<float> task{frame, area, order};
-  const RamLayout layout = ram_layout(task, pieces, room);
+  const RamLayout layout = ram_layout(task, conversion, pieces, room);
   if (!layout.fits(room)) {
     throw std::out_of_range("program, scene and work area do not fit into the board's RAM");
   }
@@ -69,29 +73,34 @@ BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<flo
   BoardWriter writer(image.ram, numbers);
   tell_places(layout, writer);
   if (room.shared_database) {
-    tell_arrays(frame.database, *room.shared_database, writer);
+    tell_arrays(frame.database, conversion, *room.shared_database, writer);
   } else {
-    write_arrays(frame.database, writer);
+    write_arrays(frame.database, conversion, writer);
   }
   task.order.line = room.line_pixels > 0 ? writer.address_of(&task.order.line) : 0;
   image.own_pixels = room.own_pixel_bytes > 0 ? writer.address_of(&task.order.frame_memory) : 0;
   const std::uint32_t task_address = writer.address_of(&task);
   writer.write(task_address, &task, 1);
+  if (conversion.given_count > 0) {
+    writer.write(writer.address_of(&conversion), &conversion, 1);
+  }
   image.stack = prepare_stack(task_address, image.ram, writer);
   return image;
 }
 
-std::vector<unsigned char> database_image(const firmware::Database<float>& database,
+std::vector<unsigned char> database_image(const PackedScene<float>& scene,
                                           firmware::NumberFormat numbers) {
+  const firmware::Database<float> database = scene.database();
+  const firmware::Conversion<float> conversion = scene.conversion();
   std::vector<unsigned char> bytes;
-  for_each_array(database, [&bytes](const auto* first, std::size_t count) {
+  for_each_array(database, conversion, [&bytes](const auto* first, std::size_t count) {
     using Structure = std::decay_t<decltype(*first)>;
     bytes.resize(bytes.size() +
                  count * static_cast<std::size_t>(firmware::board_bytes<Structure>()));
   });
   BoardWriter writer(bytes, numbers);
-  tell_arrays(database, 0, writer);
-  write_arrays(database, writer);
+  tell_arrays(database, conversion, 0, writer);
+  write_arrays(database, conversion, writer);
   return bytes;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/database/board_link.hpp"
 #include "sim/database/board_room.hpp"
 #include "sim/database/board_writer.hpp"
+#include "sim/database/prepared_scene.hpp"
 
 namespace maquette::sim {
 
@@ -23,12 +24,12 @@ struct BoardImage {
 /// Writes program, database and task into a board's RAM as ram_layout places them, with numbers of
 /// the format. Of the order the line is filled in. Throws std::out_of_range when they do not fit
 /// with all else that has its place.
-BoardImage board_image(firmware::NumberFormat numbers, const firmware::Frame<float>& frame,
+BoardImage board_image(firmware::NumberFormat numbers, const PreparedScene<float>& scene,
                        const firmware::WorkArea<float>& area, const firmware::BoardOrder& order,
                        const BoardRoom& room);
 
-/// The arrays of a scene as memory holds them, one behind the other.
-std::vector<unsigned char> database_image(const firmware::Database<float>& database,
+/// The arrays of a scene that are loaded as memory holds them, one behind the other.
+std::vector<unsigned char> database_image(const PackedScene<float>& scene,
                                           firmware::NumberFormat numbers);
 
 }  // namespace maquette::sim

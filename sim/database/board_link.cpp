@@ -64,6 +64,11 @@ LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
   return program;
 }
 
+std::uint32_t beginning_of(const LinkedProgram& program) {
+  const std::uint32_t converting = address_of(program, "converting_program");
+  return converting != 0 ? converting : address_of(program, "board_program");
+}
+
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
     if (program.code->pieces[i].name == name && program.addresses[i] != 0) {

@@ -21,6 +21,9 @@ struct LinkedProgram {
 /// an odd address.
 LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces);
 
+/// Where a board starts: with the conversion of its scene, or without.
+std::uint32_t beginning_of(const LinkedProgram& program);
+
 /// Where a function of the linked program begins; 0 when it is left out.
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name);
 

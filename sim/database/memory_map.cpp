@@ -34,14 +34,14 @@ void refuse_above(const SourcePosition& position, std::int64_t needed, std::int6
 
 }  // namespace
 
-MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_height,
-                        const Machine& machine) {
+MemoryMap memory_map_of(const PackedScene<float>& scene, const Machine& machine) {
+  const firmware::Database<float> database = scene.database();
   firmware::BoardTask<float> task{};
   task.frame.database = database;
   const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   const BoardPieces pieces =
       needed_pieces(program_code(numbers), database.needs, machine.parameters.allotment.order);
-  const RamLayout layout = ram_layout(task, pieces, board_room(machine));
+  const RamLayout layout = ram_layout(task, scene.conversion(), pieces, board_room(machine));
   MemoryMap map;
   map.uses = uses_of(layout);
   map.used_bytes = layout.used_bytes;
@@ -51,7 +51,7 @@ MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_heig
       (machine.parameters.host.loads_code ? machine.system_bytes : layout.first_loaded_data);
   map.crossings_needed = crossing_needs_of(database).space;
   map.rays_needed = firmware::pending_rays_needed(database.ray_depth, database.needs.transparency);
-  map.stack_needed_bytes = board_stack_bytes(pieces, tree_height);
+  map.stack_needed_bytes = board_stack_bytes(pieces, scene.tree_height);
   return map;
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "firmware/database.hpp"
+#include "sim/database/packed_scene.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/yaml/source_position.hpp"
 
@@ -32,8 +32,7 @@ struct MemoryMap {
 
 /// The memory map of the boards of a machine that work at a scene. Assumption: what boards without
 /// a program of their own hold is as large as what those with FFP numbers do.
-MemoryMap memory_map_of(const firmware::Database<float>& database, int tree_height,
-                        const Machine& machine);
+MemoryMap memory_map_of(const PackedScene<float>& scene, const Machine& machine);
 
 /// Throws DescriptionError at `position`, with the figures, when a work area is too small for the
 /// scene or when the scene does not fit into RAM (the latter unless the machine allows it).

@@ -83,6 +83,7 @@ class TreeBuilder {
     leaf.kind = frame.kind;
     leaf.surface = surfaces_.at(surface.name);
     leaf.parameters = frame.parameters;
+    leaf.given = frame.given;
     leaf.to_scene = concatenated(placement, frame.to_object);
     leaf.own_frame = placement;
     leaf.surface_frame = surface.frame;

@@ -13,6 +13,7 @@ struct TreeLeaf {
   firmware::PrimitiveKind kind{};
   std::size_t surface = 0;  ///< into Scene::surfaces
   std::vector<double> parameters;
+  std::vector<double> given;  ///< what boards convert to them; else empty
   Placement to_scene{1.0};
   Placement own_frame{1.0};  ///< of the primitive, in which its shape is described, to the scene
   Placement surface_frame{1.0};  ///< of the object that names its surface, to the scene

@@ -1,5 +1,6 @@
 #include "sim/database/packed_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -101,22 +102,33 @@ class UsedSurfaces {
   std::vector<firmware::Surface<double>> packed_;
 };
 
+/// Puts parameters of a leaf behind others, with the tolerance of its roots.
+template <class Real>
+void append(const std::vector<double>& parameters, const TreeLeaf& leaf, const Scene& scene,
+            std::vector<Real>& packed) {
+  const std::size_t first = packed.size();
+  for (const double parameter : parameters) {
+    packed.push_back(rounded<Real>(parameter));
+  }
+  const int tolerance = description_of(leaf.kind).root_tolerance;
+  if (tolerance != PrimitiveDescription::k_no_tolerance) {
+    packed[first + static_cast<std::size_t>(tolerance)] = rounded<Real>(scene.roots.tolerance);
+  }
+}
+
 template <class Real>
 void pack_leaves(const Scene& scene, const ObjectTree& tree, const UsedSurfaces& surfaces,
                  PackedScene<Real>& packed) {
+  const bool converts = std::any_of(tree.leaves.begin(), tree.leaves.end(),
+                                    [](const TreeLeaf& leaf) { return !leaf.given.empty(); });
   for (const TreeLeaf& leaf : tree.leaves) {
     packed.leaves.push_back({leaf.parent, leaf.kind, surfaces.number_of(leaf.surface),
                              static_cast<std::uint32_t>(packed.parameters.size()),
                              rounded<Real>(leaf.to_scene),
                              rounded<Real>(inverse_of(leaf.to_scene))});
-    for (const double parameter : leaf.parameters) {
-      packed.parameters.push_back(rounded<Real>(parameter));
-    }
-    const int tolerance = description_of(leaf.kind).root_tolerance;
-    if (tolerance != PrimitiveDescription::k_no_tolerance) {
-      packed.parameters[packed.leaves.back().first_parameter +
-                        static_cast<std::uint32_t>(tolerance)] =
-          rounded<Real>(scene.roots.tolerance);
+    append(leaf.parameters, leaf, scene, packed.parameters);
+    if (converts) {
+      append(leaf.given.empty() ? leaf.parameters : leaf.given, leaf, scene, packed.given);
     }
   }
 }

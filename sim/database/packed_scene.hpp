@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "firmware/conversion.hpp"
 #include "firmware/database.hpp"
 #include "sim/database/object_tree.hpp"
 #include "sim/database/picture_format.hpp"
@@ -16,6 +17,8 @@ struct PackedScene {
   std::vector<firmware::Leaf<Real>> leaves;
   std::vector<firmware::Composite> composites;
   std::vector<Real> parameters;
+  /// What boards convert to the parameters, of all leaves; empty where nothing is converted.
+  std::vector<Real> given;
   std::vector<firmware::Surface<Real>> surfaces;
   std::vector<firmware::Light<Real>> lights;
   std::vector<firmware::Color<Real>> surface_ambients;
@@ -45,6 +48,11 @@ struct PackedScene {
       view.leaves_below = leaves_below.data();
     }
     return view;
+  }
+
+  /// What of it is loaded; where it goes on a board, a prepared scene knows.
+  [[nodiscard]] firmware::Conversion<Real> conversion() const {
+    return {given.data(), static_cast<std::uint32_t>(given.size()), nullptr};
   }
 };
 

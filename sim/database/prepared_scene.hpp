@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "firmware/conversion.hpp"
 #include "firmware/preprocess.hpp"
 #include "firmware/synthesize.hpp"
 #include "firmware/work_area.hpp"
@@ -28,6 +29,11 @@ class PreparedScene {
     frame_.prepared.surfaces = surfaces_.data();
     frame_.prepared.light_positions = light_positions_.data();
     frame_.prepared.light_axes = light_axes_.data();
+    conversion_ = {packed_.given.data(), static_cast<std::uint32_t>(packed_.given.size()),
+                   packed_.parameters.data()};
+    if (conversion_.given_count > 0) {
+      firmware::convert(frame_.database, conversion_);
+    }
     firmware::preprocess(frame_.database, frame_.prepared);
   }
   PreparedScene(const PreparedScene&) = delete;
@@ -37,7 +43,9 @@ class PreparedScene {
   ~PreparedScene() = default;
 
   [[nodiscard]] const firmware::Frame<Real>& frame() const { return frame_; }
+  /// With its parameters as a board converts them, where it does.
   [[nodiscard]] const PackedScene<Real>& packed() const { return packed_; }
+  [[nodiscard]] const firmware::Conversion<Real>& conversion() const { return conversion_; }
 
  private:
   PackedScene<Real> packed_;
@@ -46,6 +54,7 @@ class PreparedScene {
   std::vector<firmware::PreparedSurface<Real>> surfaces_;
   std::vector<firmware::Vector<Real>> light_positions_;
   std::vector<firmware::Vector<Real>> light_axes_;
+  firmware::Conversion<Real> conversion_{};
   firmware::Frame<Real> frame_{};
 };
 

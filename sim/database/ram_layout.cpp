@@ -43,7 +43,8 @@ void add_prepared(const firmware::Frame<float>& frame, Stacker& stacker) {
 
 }  // namespace
 
-RamLayout ram_layout(const firmware::BoardTask<float>& task, const BoardPieces& pieces,
+RamLayout ram_layout(const firmware::BoardTask<float>& task,
+                     const firmware::Conversion<float>& conversion, const BoardPieces& pieces,
                      const BoardRoom& room) {
   RamLayout layout{};
   Stacker stacker;
@@ -53,12 +54,20 @@ RamLayout ram_layout(const firmware::BoardTask<float>& task, const BoardPieces& 
   stacker.add("arithmetic package", std::max<std::int64_t>(own_package_bytes, room.package_bytes));
   layout.first_loaded_data = stacker.end();
   if (!room.shared_database) {
-    for_each_array(task.frame.database, [&stacker](const auto* first, std::size_t count) {
-      stacker.add_array("database", first, count);
-    });
+    for_each_array(task.frame.database, conversion,
+                   [&stacker](const auto* first, std::size_t count) {
+                     stacker.add_array("database", first, count);
+                   });
   }
   stacker.add_array("task", &task, 1);
+  if (conversion.given_count > 0) {
+    stacker.add_array("task", &conversion, 1);
+  }
   layout.loaded_end = stacker.end();
+  if (conversion.given_count > 0) {
+    stacker.add_array("converted parameters", task.frame.database.parameters,
+                      task.frame.database.parameter_count);
+  }
   add_prepared(task.frame, stacker);
   stacker.add_array("crossings", task.area.crossings, room.crossings);
   stacker.add_array("waiting rays", task.area.rays, room.waiting_rays);

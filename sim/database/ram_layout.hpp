@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/board_order.hpp"
+#include "firmware/conversion.hpp"
 #include "sim/database/board_code.hpp"
 #include "sim/database/board_room.hpp"
 
@@ -32,16 +33,23 @@ struct RamLayout {
 };
 
 /// Lays out a board's RAM for a task by firmware/layout.hpp: system, program, the scene's arrays,
-/// the task, what preprocessing makes of them, work area, line of pixels, own pixels, stack.
+/// the task with its conversion, what preprocessing makes of them, work area, line of pixels, own
+/// pixels, stack.
 [[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task,
+                                   const firmware::Conversion<float>& conversion,
                                    const BoardPieces& pieces, const BoardRoom& room);
 
-/// Calls `visit(first, count)` for each array of a scene, in their order in memory.
+/// Calls `visit(first, count)` for each array of a scene that is loaded, in their order in memory.
 template <class Visit>
-void for_each_array(const firmware::Database<float>& database, Visit visit) {
+void for_each_array(const firmware::Database<float>& database,
+                    const firmware::Conversion<float>& conversion, Visit visit) {
   visit(database.leaves, std::size_t{database.leaf_count});
   visit(database.composites, std::size_t{database.composite_count});
-  visit(database.parameters, std::size_t{database.parameter_count});
+  if (conversion.given_count > 0) {
+    visit(conversion.given, std::size_t{conversion.given_count});
+  } else {
+    visit(database.parameters, std::size_t{database.parameter_count});
+  }
   visit(database.surfaces, std::size_t{database.surface_count});
   visit(database.lights, std::size_t{database.light_count});
   const firmware::Needs& needs = database.needs;

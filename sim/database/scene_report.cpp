@@ -123,7 +123,7 @@ std::string scene_report(const Scene& scene, const Machine& machine) {
   const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));
   const firmware::Database<float> database = packed.database();
   const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
-  const MemoryMap map = memory_map_of(database, packed.tree_height, machine);
+  const MemoryMap map = memory_map_of(packed, machine);
   std::string text = fmt::format("Scene {}\n", scene.name);
   text += fmt::format("  {} primitives, {} composites, {} surfaces, {} lights; a tree {} high\n",
                       database.leaf_count, database.composite_count, database.surface_count,

@@ -34,7 +34,7 @@ std::string symbol_map(const PackedScene<float>& scene, const Machine& machine) 
   const LinkedProgram program =
       linked_program(static_cast<std::uint32_t>(machine.system_bytes), pieces);
   std::string text;
-  for (const MemoryUse& use : memory_map_of(database, scene.tree_height, machine).uses) {
+  for (const MemoryUse& use : memory_map_of(scene, machine).uses) {
     text += line_of(static_cast<std::uint64_t>(use.address), static_cast<std::uint64_t>(use.bytes),
                     use.name);
     if (use.address == program.base) {

@@ -32,6 +32,39 @@ bool properly_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& 
   return turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0;
 }
 
+Extent2 extent_around(const glm::dvec2* first, const glm::dvec2* end) {
+  Extent2 extent{*first, *first};
+  for (const glm::dvec2* point = first; point != end; ++point) {
+    extent.low = glm::min(extent.low, *point);
+    extent.high = glm::max(extent.high, *point);
+  }
+  return extent;
+}
+
+std::vector<Extent2> section_extents(const GeneratrixCurve& curve) {
+  std::vector<Extent2> extents;
+  for (std::size_t section = 0; section < curve.sections(); ++section) {
+    const glm::dvec2* first = &curve.points[3 * section];
+    extents.push_back(extent_around(first, first + 4));
+  }
+  return extents;
+}
+
+bool overlap(const Extent2& a, const Extent2& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// A section and those after it that it may meet.
+std::vector<std::size_t> sections_near(const std::vector<Extent2>& extents, std::size_t section) {
+  std::vector<std::size_t> near;
+  for (std::size_t other = section; other < extents.size(); ++other) {
+    if (overlap(extents[section], extents[other])) {
+      near.push_back(other);
+    }
+  }
+  return near;
+}
+
 std::vector<glm::dvec2> chain_of(const GeneratrixCurve& curve) {
   std::vector<glm::dvec2> chain;
   for (std::size_t i = 0; i < curve.sections() * k_chords; ++i) {
@@ -90,12 +123,7 @@ std::size_t point_count(const RevolutionShape& shape, std::size_t sections) {
 }
 
 Extent2 extent_of(const GeneratrixCurve& curve) {
-  Extent2 extent{curve.points.front(), curve.points.front()};
-  for (const glm::dvec2& point : curve.points) {
-    extent.low = glm::min(extent.low, point);
-    extent.high = glm::max(extent.high, point);
-  }
-  return extent;
+  return extent_around(curve.points.data(), curve.points.data() + curve.points.size());
 }
 
 std::size_t section_beyond_axis(const GeneratrixCurve& curve) {
@@ -120,10 +148,17 @@ double enclosed_area(const GeneratrixCurve& curve) {
 
 std::optional<std::pair<std::size_t, std::size_t>> own_crossing(const GeneratrixCurve& curve) {
   const std::vector<glm::dvec2> chain = chain_of(curve);
-  for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-    for (std::size_t k = i + 2; k + 1 < chain.size(); ++k) {
-      if (properly_cross(chain[i], chain[i + 1], chain[k], chain[k + 1])) {
-        return std::pair{i / k_chords, k / k_chords};
+  const std::vector<Extent2> extents = section_extents(curve);
+  for (std::size_t section = 0; section < extents.size(); ++section) {
+    const std::vector<std::size_t> near = sections_near(extents, section);
+    for (std::size_t i = section * k_chords; i < (section + 1) * k_chords; ++i) {
+      for (const std::size_t other : near) {
+        const std::size_t end = (other + 1) * k_chords;
+        for (std::size_t k = std::max(i + 2, other * k_chords); k < end; ++k) {
+          if (properly_cross(chain[i], chain[i + 1], chain[k], chain[k + 1])) {
+            return std::pair{section, other};
+          }
+        }
       }
     }
   }

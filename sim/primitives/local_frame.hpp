@@ -17,6 +17,8 @@ struct LocalFrame {
   firmware::PrimitiveKind kind;
   std::vector<double> parameters;
   Placement to_object;
+  /// Of a kind with a conversion: what boards convert to the parameters.
+  std::vector<double> given = {};
 };
 
 /// Scales along the axes and moves along z.

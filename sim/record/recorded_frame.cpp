@@ -17,10 +17,10 @@ std::string RecordKey::name() const {
 namespace {
 
 /// A scene as memory holds it; where its arrays are is no matter.
-std::vector<unsigned char> scene_image(const firmware::Database<float>& database) {
+std::vector<unsigned char> scene_image(const PackedScene<float>& scene) {
   constexpr auto k_format = firmware::NumberFormat::ieee_single;
-  std::vector<unsigned char> image = database_image(database, k_format);
-  firmware::Database<float> header = database;
+  std::vector<unsigned char> image = database_image(scene, k_format);
+  firmware::Database<float> header = scene.database();
   header.leaves = nullptr;
   header.composites = nullptr;
   header.parameters = nullptr;
@@ -42,7 +42,7 @@ std::vector<unsigned char> scene_image(const firmware::Database<float>& database
 
 RecordKey record_key_of(const PackedScene<float>& scene) {
   const firmware::Database<float> database = scene.database();
-  std::vector<unsigned char> image = scene_image(database);
+  std::vector<unsigned char> image = scene_image(scene);
   if (scene.extents != Extents::all) {
     image.push_back(static_cast<unsigned char>(scene.extents));
   }

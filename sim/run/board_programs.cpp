@@ -29,13 +29,13 @@ void make_images(const PackedScene<float>& packed, const Machine& machine,
   SynthesisArea<float> area(scene.frame().database);
   const firmware::NumberFormat numbers = models::numbers_of(machine.parameters.board.arithmetic);
   if (models::is_shared(machine.parameters.board.database)) {
-    setup.shared_database = database_image(scene.frame().database, numbers);
+    setup.shared_database = database_image(scene.packed(), numbers);
   }
   const BoardRoom room = board_room(machine, shared_database_address(machine));
   firmware::BoardOrder order = board_order(machine, setup);
   for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
     order.first_unit = static_cast<std::uint32_t>(board);
-    const BoardImage image = board_image(numbers, scene.frame(), area.view(), order, room);
+    const BoardImage image = board_image(numbers, scene, area.view(), order, room);
     setup.image_address = loaded_from(image, machine);
     setup.pixel_address = image.own_pixels;
     setup.images.push_back(part(image.ram, setup.image_address, image.loaded_end));

@@ -73,7 +73,7 @@ firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetu
 
 models::ProgramEntry program_entry(const BoardImage& image) {
   const std::uint32_t interlaced = address_of(image.program, "interlaced_synthesis");
-  return {address_of(image.program, "board_program"), image.stack,
+  return {beginning_of(image.program), image.stack,
           interlaced != 0 ? interlaced : address_of(image.program, "board_synthesis")};
 }
 

@@ -109,8 +109,8 @@ void execute_pixels(const Scene& scene, const Machine& machine, int share, const
   const PixelSample sample = pixel_sample(alone, zone, share);
   alone.parameters.allotment = sample.allotment;
   const firmware::BoardOrder order = sample_order(alone, zone, sample.step);
-  BoardImage image = board_image(models::numbers_of(alone.parameters.board.arithmetic),
-                                 prepared.frame(), area.view(), order, roomy(alone, order));
+  BoardImage image = board_image(models::numbers_of(alone.parameters.board.arithmetic), prepared,
+                                 area.view(), order, roomy(alone, order));
   PixelFollower follower(alone, order, take);
   models::ProgramSlots slots(1);
   BoardProgram program({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())},

@@ -207,7 +207,7 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
 /// The memory map of a board, checked.
 MemoryMap checked_map(const Scene& scene, const Machine& machine,
                       const PackedScene<float>& packed) {
-  MemoryMap map = memory_map_of(packed.database(), packed.tree_height, machine);
+  MemoryMap map = memory_map_of(packed, machine);
   check_memory(map, machine, scene.object.position_in_file);
   return map;
 }

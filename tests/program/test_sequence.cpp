@@ -83,6 +83,42 @@ TEST_CASE("frames of a sequence are those of their scenes, but for what need not
   }
 }
 
+TEST_CASE("where control points move the host loads them alone, and boards convert them") {
+  const ScratchDirectory scratch;
+  const auto scene = [](const std::string& amount, const std::string& more) {
+    return "view: {eye: [4, -6, 3], target: [0, 0, 0.8], field_of_view: 30 deg}\n"
+           "lights: {key: {position: [5, -5, 9]}}\n"
+           "surfaces: {red: {diffuse: [0.8, 0.2, 0.1]}}\n"
+           "object: {surface: red, revolution: {points: [[0.5, 0], [0.6, 0.2], [0.7, 0.5], [0.6, "
+           "0.9], [0.4, 1.2], [0.5, 1.5]], displacements: {swell: {amount: " +
+           amount + ", by: [[0, 0], [0, 0], [0, 0], [1, 0], [1, 0], [0, 0]]}}}}\n" + more;
+  };
+  const std::string sequence = scratch.file(
+      "sequence.yaml", scene("0",
+                             "sequence: {frames: 3, vary: {object.revolution.displacements."
+                             "swell.amount: [0, 0.02, 0.05]}}\n"));
+  for (const std::string options : {"", " --set board.database=shared", " --processor instruction",
+                                    " --processor instruction --set board.database=shared"}) {
+    CAPTURE(options);
+    const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
+                                         (scratch / "all").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exit_code == 0);
+    const auto first = json_of(scratch / "all" / "stats-0000.json");
+    const auto last = json_of(scratch / "all" / "stats-0002.json");
+    CHECK(last["frame"]["load_s"].get<double>() > 0);
+    CHECK(last["frame"]["load_s"].get<double>() < first["frame"]["load_s"].get<double>() / 200);
+    const std::string alone = scratch.file("alone.yaml", scene("0.05", ""));
+    REQUIRE(run_maquette("run " + alone + options + k_coarse + " --quiet --outdir " +
+                         (scratch / "alone").string())
+                .exit_code == 0);
+    CHECK(content_of(scratch / "all" / "frame-0002.png") ==
+          content_of(scratch / "alone" / "frame.png"));
+    CHECK(content_of(scratch / "all" / "frame-0002.png") !=
+          content_of(scratch / "all" / "frame-0000.png"));
+  }
+}
+
 TEST_CASE("one frame of a sequence can be run alone, with all that is of one frame") {
   const ScratchDirectory scratch;
   const std::string sequence = scratch.file("sequence.yaml", scene_of(k_frames));

@@ -1,4 +1,4 @@
-#include "firmware/primitives/generatrix.hpp"
+#include "firmware/primitives/revolution.hpp"
 #include "tools/benchmark/ray_timing.hpp"
 #include "tools/benchmark/rows.hpp"
 
@@ -15,14 +15,15 @@ template <class Real>
 std::vector<Real> vase_parameters() {
   constexpr double k_radii[k_points] = {0.05, 0.3, 0.5, 0.55, 0.6, 0.7,  0.85, 0.95, 1,
                                         0.95, 0.8, 0.6, 0.45, 0.4, 0.42, 0.5,  0.6,  0.65};
-  std::vector<Real> control;
+  const int sections = firmware::section_count(k_points, true);
+  // Sections, open, tolerance of the roots, a B-spline; then its points.
+  std::vector<Real> given = {static_cast<Real>(sections), 1, 1, 1};
   for (int i = 0; i < k_points; ++i) {
     const double height = -1.2 + 0.14 * i;
-    control.insert(control.end(), {static_cast<Real>(k_radii[i]), static_cast<Real>(height)});
+    given.insert(given.end(), {static_cast<Real>(k_radii[i]), static_cast<Real>(height)});
   }
-  const int sections = firmware::section_count(k_points, true);
   std::vector<Real> parameters(static_cast<std::size_t>(revolution::parameter_count(sections)));
-  revolution::write_parameters(control.data(), k_points, true, parameters.data());
+  revolution::convert(given.data(), parameters.data());
   return parameters;
 }
 
@@ -49,7 +50,7 @@ template <class Real>
 double solid_ns() {
   const std::vector<Real> parameters = vase_parameters<Real>();
   const std::vector<firmware::Ray<Real>> rays = ordinary_rays<Real>();
-  firmware::Hit<Real> hits[revolution::k_hit_limit];
+  firmware::Hit<Real> hits[firmware::k_primitive_hit_limit];
   return least_ns(k_rays, [&] {
     int count = 0;
     for (const firmware::Ray<Real>& ray : rays) {

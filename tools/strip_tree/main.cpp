@@ -8,7 +8,7 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "firmware/polynomials/strip_tree.hpp"
-#include "firmware/primitives/generatrix.hpp"
+#include "firmware/primitives/generatrix_conversion.hpp"
 #include "models/board/work_cost.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/scene/description_loader.hpp"
@@ -58,21 +58,22 @@ double milliseconds(const models::WorkCost& cost) {
   return static_cast<double>(cost.duration(firmware::counted_work()).count()) / 1e9;
 }
 
-/// Bezier points from as many control points as the generatrix has, and the extents of its tree.
-/// Which values they have matters little: those of the joints serve.
+/// What boards convert as many control points as the generatrix has to: Bezier points, turned the
+/// right way, and the extents of their tree. Which values they have matters little: those of the
+/// joints serve.
 double sections_ms(const Curve& curve, const models::WorkCost& cost) {
   const int control_points = curve.sections + (curve.is_open ? 3 : 0);
-  std::vector<Counted> control;
+  std::vector<Counted> given = {static_cast<float>(curve.sections), curve.is_open ? 1.0F : 0.0F,
+                                1.0F, 1.0F};
   for (int i = 0; i < control_points; ++i) {
     const auto at =
         static_cast<std::size_t>(std::min(i, curve.sections) * firmware::k_section_stride);
-    control.insert(control.end(), {curve.points[at], curve.points[at + 1]});
+    given.insert(given.end(), {curve.points[at], curve.points[at + 1]});
   }
   std::vector<Counted> parameters(
       static_cast<std::size_t>(firmware::revolution::parameter_count(curve.sections)));
   firmware::reset_counted_work();
-  firmware::revolution::write_parameters(control.data(), control_points, curve.is_open,
-                                         parameters.data());
+  firmware::revolution::convert(given.data(), parameters.data());
   return milliseconds(cost);
 }
 

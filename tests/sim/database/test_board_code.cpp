@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "firmware/facets/facet_table.hpp"
-#include "firmware/primitives/primitive_table.hpp"
+#include "firmware/primitives/conversion_table.hpp"
 #include "sim/primitives/primitive_table.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
@@ -108,6 +108,24 @@ TEST_CASE("the beginning of the program and what it always calls is in every boa
   }
 }
 
+TEST_CASE("boards convert what a scene gives where it has a primitive that is given otherwise") {
+  for (int kind = 0; kind < firmware::k_primitive_kind_count; ++kind) {
+    const auto primitive = static_cast<firmware::PrimitiveKind>(kind);
+    INFO(kind);
+    firmware::Needs needs{};
+    needs.primitives[kind] = true;
+    const Names names = left_out(sim::needed_pieces(k_code, needs));
+    const auto missing = [&names](const char* name) {
+      return std::count(names.begin(), names.end(), name) == 1;
+    };
+    const bool converts = firmware::conversion_of<float>(primitive) != nullptr;
+    CHECK(missing("converting_program") != converts);
+    CHECK(missing("k_conversions") != converts);
+    CHECK_FALSE(missing("board_program"));
+    CHECK((kind == static_cast<int>(firmware::kind_of<firmware::revolution::Kind>)) == converts);
+  }
+}
+
 TEST_CASE("boards of an interlace have its loop in place of the others', and call it") {
   using maquette::models::Allotment;
   firmware::trial::Random random(516);
@@ -145,7 +163,8 @@ TEST_CASE("a need takes nothing away, and a piece is there whole") {
       for (std::size_t i = 0; i < pieces.bytes.size(); ++i) {
         REQUIRE(more.bytes[i] >= pieces.bytes[i]);
         const std::string_view name = k_code.pieces[i].name;
-        const bool is_table = name == "k_primitives" || name == "k_surface_maps";
+        const bool is_table =
+            name == "k_primitives" || name == "k_surface_maps" || name == "k_conversions";
         REQUIRE((pieces.bytes[i] == 0 || pieces.bytes[i] == all.bytes[i] || is_table));
       }
     }

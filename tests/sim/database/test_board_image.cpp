@@ -84,7 +84,7 @@ Stop run(sim::BoardImage& image, ExternalBus& bus) {
   NativeCalls routines;
   firmware::Work work{};
   Mc68000 processor({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())}, bus);
-  processor.registers().program_counter = address_of(image.program, "board_program");
+  processor.registers().program_counter = sim::beginning_of(image.program);
   processor.registers().stack() = image.stack;
   if (image.program.code->numbers == firmware::NumberFormat::ieee_single) {
     sim::host_arithmetic(image.program)(routines, work);
@@ -100,7 +100,7 @@ void compare_with_firmware(const std::string& scene, firmware::NumberFormat numb
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   sim::BoardImage image =
-      sim::board_image(numbers, prepared.frame(), area.view(), whole_frame(format.width),
+      sim::board_image(numbers, prepared, area.view(), whole_frame(format.width),
                        {1U << 20U, 0x800, 1024, 32, 0, 0, k_stack_bytes, 0});
   paint_stack(image);
   WrittenWords memory;
@@ -155,7 +155,7 @@ TEST_CASE("what does not fit into a board's RAM is refused") {
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   const auto image_in = [&](std::uint32_t ram_bytes) {
-    return sim::board_image(firmware::NumberFormat::ffp, prepared.frame(), area.view(),
+    return sim::board_image(firmware::NumberFormat::ffp, prepared, area.view(),
                             whole_frame(format.width),
                             {ram_bytes, 0x800, 1024, 32, 0, 0, k_stack_bytes, 0});
   };
@@ -170,10 +170,9 @@ TEST_CASE("a larger arithmetic package than the program's has its room before th
   const sim::PreparedScene<float> prepared(sim::packed_scene<float>(description.scene, format));
   sim::SynthesisArea<float> area(prepared.frame().database);
   for (const std::uint32_t package_bytes : {1U, 100U, 6144U, 6145U}) {
-    const sim::BoardImage image =
-        sim::board_image(firmware::NumberFormat::ieee_single, prepared.frame(), area.view(),
-                         whole_frame(format.width),
-                         {1U << 20U, 0x800, 1024, 32, 0, 0, k_stack_bytes, package_bytes});
+    const sim::BoardImage image = sim::board_image(
+        firmware::NumberFormat::ieee_single, prepared, area.view(), whole_frame(format.width),
+        {1U << 20U, 0x800, 1024, 32, 0, 0, k_stack_bytes, package_bytes});
     const std::uint32_t room = image.database - image.program.package;
     CHECK(room >= image.program.code->package.bytes.size());
     CHECK(room >= package_bytes);

@@ -25,7 +25,7 @@ Description described(const std::string& scene, const std::vector<std::string>& 
 MemoryMap map_of(const Description& description) {
   const auto packed =
       packed_scene<float>(description.scene, picture_format_of(description.machine));
-  return memory_map_of(packed.database(), packed.tree_height, description.machine);
+  return memory_map_of(packed, description.machine);
 }
 
 const MemoryUse& use_of(const MemoryMap& map, const std::string& name) {
@@ -39,8 +39,8 @@ BoardImage image_of(const Description& description) {
   const PreparedScene<float> scene(
       packed_scene<float>(description.scene, picture_format_of(description.machine)));
   SynthesisArea<float> area(scene.frame().database);
-  return board_image(models::numbers_of(description.machine.parameters.board.arithmetic),
-                     scene.frame(), area.view(), {}, board_room(description.machine, 0x900000));
+  return board_image(models::numbers_of(description.machine.parameters.board.arithmetic), scene,
+                     area.view(), {}, board_room(description.machine, 0x900000));
 }
 
 TEST_CASE("the uses of a board's RAM follow one another up to the stack at its top") {
@@ -82,6 +82,27 @@ TEST_CASE("the map is that of the image that a board gets") {
   }
 }
 
+TEST_CASE("what boards convert has its room behind the task, which only such scenes pay for") {
+  const Description description = described("photo3.yaml");
+  const PackedScene<float> packed =
+      packed_scene<float>(description.scene, picture_format_of(description.machine));
+  const MemoryMap map = map_of(description);
+  const MemoryUse& converted = use_of(map, "converted parameters");
+  CHECK(converted.bytes == static_cast<std::int64_t>(4 * packed.parameters.size()));
+  CHECK(converted.address == image_of(description).loaded_end);
+  CHECK(use_of(map, "task").bytes == use_of(map_of(described("photo4.yaml")), "task").bytes +
+                                         firmware::board_bytes<firmware::Conversion<float>>());
+  CHECK(packed.given.size() < packed.parameters.size());
+  const Description plain = described("photo4.yaml");
+  CHECK(packed_scene<float>(plain.scene, picture_format_of(plain.machine)).given.empty());
+  for (const MemoryUse& use : map_of(plain).uses) {
+    CHECK(use.name != "converted parameters");
+  }
+  CHECK(address_of(image_of(plain).program, "converting_program") == 0);
+  CHECK(address_of(image_of(description).program, "converting_program") ==
+        beginning_of(image_of(description).program));
+}
+
 TEST_CASE("an arithmetic package has the room that its table tells, or that of the program's") {
   const auto package_bytes = [](const std::string& arithmetic) {
     return use_of(map_of(described("photo4.yaml", {"board.arithmetic=" + arithmetic})),
@@ -100,8 +121,7 @@ TEST_CASE("a database is the same bytes in a board's RAM and in shared memory") 
   const Description description = described("photo4.yaml");
   const PackedScene<float> packed =
       packed_scene<float>(description.scene, picture_format_of(description.machine));
-  const std::vector<unsigned char> shared =
-      database_image(packed.database(), firmware::NumberFormat::ffp);
+  const std::vector<unsigned char> shared = database_image(packed, firmware::NumberFormat::ffp);
   const BoardImage image = image_of(description);
   REQUIRE(static_cast<std::int64_t>(shared.size()) ==
           use_of(map_of(description), "database").bytes);

@@ -106,14 +106,15 @@ TEST_CASE("Bezier sections are taken as they are, and every kind moves with its 
 
 TEST_CASE("Numbers of points that make no sections are answered with those allowed") {
   using Catch::Matchers::ContainsSubstring;
-  CHECK_THAT(error_of(scene_with("{points: [[1, 0], [1, 1], [1, 2]], curve: bezier}")),
-             ContainsSubstring("scene.yaml:6:14: points: 3 control points; 4 to 97 are allowed for "
-                               "an open generatrix, three for each section and the last"));
-  CHECK_THAT(error_of(scene_with("{points: [[1, 0]], curve: polygon}")),
-             ContainsSubstring("points: 1 control points; 2 to 33 are allowed"));
   CHECK_THAT(
-      error_of(scene_with("{points: [[1, 0], [1, 1]], curve: interpolating, closed: true}")),
-      ContainsSubstring("points: 2 control points; 3 to 32 are allowed for a closed generatrix"));
+      error_of(scene_with("{points: [[1, 0], [1, 1], [1, 2]], curve: bezier}")),
+      ContainsSubstring("scene.yaml:6:14: points: 3 control points; 4 to 196609 are allowed for "
+                        "an open generatrix, three for each section and the last"));
+  CHECK_THAT(error_of(scene_with("{points: [[1, 0]], curve: polygon}")),
+             ContainsSubstring("points: 1 control points; 2 to 65537 are allowed"));
+  CHECK_THAT(error_of(scene_with("{points: [[1, 0], [1, 1]], curve: interpolating, closed: true}")),
+             ContainsSubstring(
+                 "points: 2 control points; 3 to 65536 are allowed for a closed generatrix"));
   CHECK_THAT(error_of(scene_with("{points: [[1, 0], [1, 1]], curve: cubic}")),
              ContainsSubstring("b_spline, bezier, interpolating, polygon"));
   CHECK(error_of(scene_with("{points: [[1, 0], [1, 1]], curve: polygon}")).empty());
