@@ -9,6 +9,7 @@
 #include "sim/database/memory_map.hpp"
 #include "sim/database/needs.hpp"
 #include "sim/database/packed_scene.hpp"
+#include "sim/database/surface_union_report.hpp"
 #include "sim/machine/machine_description.hpp"
 #include "sim/scene/scene_description.hpp"
 
@@ -130,6 +131,7 @@ std::string scene_report(const Scene& scene, const Machine& machine) {
                       database.light_count, packed.tree_height);
   text += needs_list(database.needs, program_code(numbers));
   text += "\n" + memory_table(map, machine);
+  text += surface_union_report(packed);
   text += "\nParameters of the scene\n" + parameter_table(list_parameters(scene));
   return text;
 }
