@@ -50,8 +50,15 @@ struct ScaleTally {
 Scene scaled(Scene scene, double scale) {
   scene.view.eye *= scale;
   scene.view.target *= scale;
-  if (scene.view.screen && scene.view.screen->placement) {
-    *scene.view.screen->placement = scaled(*scene.view.screen->placement, scale);
+  if (scene.view.height) {
+    *scene.view.height *= scale;
+  }
+  if (std::optional<Screen>& screen = scene.view.screen; screen && screen->placement) {
+    *screen->placement = scaled(*screen->placement, scale);
+  } else if (screen) {
+    screen->distance *= scale;
+    screen->width *= scale;
+    screen->height *= scale;
   }
   for (Light& light : scene.lights) {
     light.placement = scaled(light.placement.value_or(Placement(1.0)), scale);

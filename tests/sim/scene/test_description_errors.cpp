@@ -105,8 +105,8 @@ TEST_CASE("unknown keys are reported with the allowed ones and the nearest") {
   check_error(with_rest("shadow: true"),
               "scene.yaml:3:1: scene: unknown key `shadow`; allowed: ", "did you mean `shadows`?");
   check_error(with_view("view: {eyes: [4, -6, 3], target: [0, 0, 0], field_of_view: 35 deg}"),
-              "scene.yaml:1:8: view: unknown key `eyes`; allowed: eye, screen, target, "
-              "up, field_of_view, horizontal_field_of_view; did you mean `eye`?",
+              "scene.yaml:1:8: view: unknown key `eyes`; allowed: eye, projection, screen, target, "
+              "up, field_of_view, horizontal_field_of_view, height; did you mean `eye`?",
               "");
   check_error(with_surface("  red: {metal: {index: 1, extinction: 2}, index: 1}"),
               "scene.yaml:5:43: red: unknown key `index`", "metal");
