@@ -28,9 +28,8 @@ struct Screen {
   std::optional<Placement> placement;
 };
 
-/// The observer (paper, section II.1): exactly one of the fields of view and screen is
-/// given, of a parallel view height or screen. A screen that is placed takes the place of target and
-/// up.
+/// The observer (paper, section II.1): exactly one of the fields of view and screen is given, of a
+/// parallel view height or screen. A screen that is placed takes the place of target and up.
 struct View {
   Vector3 eye{0, 0, 0};
   Vector3 target{0, 0, -1};
