@@ -87,7 +87,7 @@ TEST_CASE("what boards convert has its room behind the task, which only such sce
   const PackedScene<float> packed =
       packed_scene<float>(description.scene, picture_format_of(description.machine));
   const MemoryMap map = map_of(description);
-  const MemoryUse& converted = use_of(map, "converted parameters");
+  const MemoryUse converted = use_of(map, "converted parameters");
   CHECK(converted.bytes == static_cast<std::int64_t>(4 * packed.parameters.size()));
   CHECK(converted.address == image_of(description).loaded_end);
   CHECK(use_of(map, "task").bytes == use_of(map_of(described("photo4.yaml")), "task").bytes +
