@@ -24,15 +24,17 @@ std::string name_of(fs::file_type type) {
 }  // namespace
 
 fs::path replaceable(const fs::path& path) {
+  // Another process may put a file there at any time: nothing is asked twice.
   std::error_code error;
-  const fs::file_type target = fs::status(path, error).type();
+  const fs::file_type own = fs::symlink_status(path, error).type();
+  if (own == fs::file_type::not_found || own == fs::file_type::none ||
+      own == fs::file_type::regular) {
+    return path;
+  }
+  const fs::file_type target = own == fs::file_type::symlink ? fs::status(path, error).type() : own;
   if (target == fs::file_type::regular) {
     const fs::path place = fs::canonical(path, error);
     return error ? path : place;
-  }
-  const fs::file_type own = fs::symlink_status(path, error).type();
-  if (own == fs::file_type::not_found || own == fs::file_type::none) {
-    return path;
   }
   throw DescriptionError(path.string() + ": cannot be written: " +
                          name_of(target == fs::file_type::not_found ? own : target));
