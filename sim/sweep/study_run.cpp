@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "firmware/arithmetic/stop_request.hpp"
 #include "sim/run/forked_jobs.hpp"
 #include "sim/run/frame_recorder.hpp"
 #include "sim/run/interruption.hpp"
@@ -137,12 +138,17 @@ StudyProgress run_points(const StudyPoints& points, const StudyDirectory& direct
   StudyProgress progress;
   progress.planned = static_cast<int>(numbers.size());
   for (const Batch& batch : batches_of(records, numbers)) {
-    const SharedWork shared = shared_work_of(points, batch);
+    const std::optional<SharedWork> shared = firmware::unless_stopped(
+        [&] { return std::optional<SharedWork>(shared_work_of(points, batch)); },
+        std::optional<SharedWork>());
+    if (!shared) {
+      break;
+    }
     ForkedJobs jobs;
     jobs.count = batch.numbers.size();
     jobs.processes = processes;
     jobs.run = [&](std::size_t job) {
-      return run_point(points, directory, batch.numbers[job], shared);
+      return run_point(points, directory, batch.numbers[job], *shared);
     };
     jobs.ended = [&](std::size_t job, const JobEnd& end) {
       if (end.exit_code != 0 && end.exit_code != k_failure_stored) {

@@ -38,7 +38,8 @@ Interrupted interrupt(const ScratchDirectory& scratch, const std::string& option
       "--outdir " +
       (scratch / "run").string() + " " + options + " 2>/dev/null & pid=$!; until ls -d " +
       (scratch / ".run.unfinished-*").string() +
-      " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.7; kill -INT $pid; date +%s%N >" +
+      " >/dev/null 2>&1 || ! kill -0 $pid; do sleep 0.02; done; sleep 0.7; kill -INT $pid; date "
+      "+%s%N >" +
       (scratch / "begin").string() + "; wait $pid; code=$?; date +%s%N >" +
       (scratch / "end").string() + "; exit $code";
   const int status = std::system(command.c_str());
@@ -67,4 +68,19 @@ TEST_CASE("An interruption within a costly pixel ends the run with what there is
     CHECK(stats["partial"] == true);
     CHECK(stats["frame"]["pixels_synthesised"] < 2);
   }
+}
+
+TEST_CASE("A sweep that is interrupted while it makes the record of its points goes on later") {
+  const ScratchDirectory scratch;
+  const std::string command =
+      std::string(MAQUETTE_PROGRAM) + " sweep " + scratch.file("costly.yaml", costly_scene()) +
+      " --set 'frame_memory.width=2 pixels' --set 'frame_memory.height=1 pixels' "
+      "--vary processors=1,2 --quiet --outdir " +
+      (scratch / "study").string() + " 2>" + (scratch / "errors").string() +
+      " & pid=$!; until [ -e " + (scratch / "study" / "study.yaml").string() +
+      " ] || ! kill -0 $pid; do sleep 0.02; done; sleep 0.7; kill -INT $pid; wait $pid";
+  const int status = std::system(command.c_str());
+  CHECK(WEXITSTATUS(status) == 130);
+  CHECK(content_of(scratch / "errors").find("interrupted after 0 of 2 points") !=
+        std::string::npos);
 }

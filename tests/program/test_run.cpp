@@ -199,7 +199,7 @@ TEST_CASE("An interrupted run ends with the statistics so far, marked partial") 
       std::string(MAQUETTE_PROGRAM) + " run " + MAQUETTE_PROJECT_DIRECTORY +
       "/scenes/photo2.yaml --threads 1 --quiet --set board.costs=tables --outdir " + directory +
       " & pid=$!; until ls -d " + (scratch / ".run.unfinished-*").string() +
-      " >/dev/null 2>&1; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
+      " >/dev/null 2>&1 || ! kill -0 $pid; do sleep 0.02; done; sleep 0.05; kill -INT $pid; "
       "wait $pid";
   const int status = std::system(command.c_str());
   REQUIRE(WIFEXITED(status));
