@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "a64a51c4b89a2381e4694c54fe17026bdfdcea0c";
+inline constexpr const char* k_firmware_version = "6d64b1c2ef423949727b1128e057a3cfd3820e6d";
 
 inline constexpr CodePiece k_pieces[] = {
     {"converting_program", 0, 78, 0, 2, 40},

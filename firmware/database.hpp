@@ -110,8 +110,8 @@ struct Samples {
 };
 
 /// The observer's frame and the screen one unit in front of the eye, or, of a parallel view, in the
-/// plane of the eye. Screen frame: x to the right,
-/// y up, z into the scene, the eye at the origin, lengths as in the scene.
+/// plane of the eye. Screen frame: x to the right, y up, z into the scene, the eye at the origin,
+/// lengths as in the scene.
 template <class Real>
 struct Observer {
   Affine<Real> to_screen;  ///< scene frame to screen frame

@@ -8,8 +8,7 @@ namespace maquette::firmware {
 
 /// A ray in the screen frame and what is known of it. A primary ray starts at the eye, the origin
 /// of the screen frame, or, of a parallel view, in the plane of the eye, and is tested against
-/// rectangles; a secondary one has a unit direction and
-/// is tested against spheres.
+/// rectangles; a secondary one has a unit direction and is tested against spheres.
 template <class Real>
 struct RayQuery {
   Ray<Real> ray;

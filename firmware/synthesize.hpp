@@ -32,7 +32,7 @@ std::uint32_t rgb_of(const Color<Real>& color) {
 
 /// The ray through a pixel's centre, in the screen frame; its length is such that the depth grows
 /// by 1 per unit of distance.
-template <Projection projection = Projection::perspective, class Real>
+template <Projection projection, class Real>
 RayQuery<Real> primary_ray(const Observer<Real>& observer, std::int16_t column, std::int16_t row) {
   const Real zero = constant<Real>(0);
   charge<Real>(Operation::load, 3);
@@ -52,6 +52,14 @@ RayQuery<Real> primary_ray(const Observer<Real>& observer, std::int16_t column, 
           true,
           column,
           row};
+}
+
+/// The same of the scene's own projection.
+template <class Real>
+RayQuery<Real> primary_ray(const Database<Real>& database, std::int16_t column, std::int16_t row) {
+  return is_parallel(database)
+             ? primary_ray<Projection::parallel>(database.observer, column, row)
+             : primary_ray<Projection::perspective>(database.observer, column, row);
 }
 
 /// What a display can show of a luminance: a light that is brighter than white must not outweigh

@@ -128,6 +128,7 @@ template <class Format>
 struct RayCounting<Number<Format>> {
   using Counts = RayNumbers<std::uint16_t>;
 };
+
 /// Which program a board holds the host says (synthesis_parallel.cpp).
 template <class Format>
 inline constexpr bool k_is_linked_for_projection<Number<Format>> = true;

@@ -98,7 +98,7 @@ int stability(const StabilityOptions& options, const std::vector<std::string>& c
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
   std::vector<InputFile> input_files{read_input(exact_roots_file)};
   for (const ShippedScene& scene : material.scenes) {
-    input_files.push_back(read_input(scene.file));
+    input_files.push_back(scene.file);
   }
   write_files(results.workplace(), {{"stability.json", stability_json(measurements)}});
   results.publish(manifest_of(command, input_files, host_time.count()));

@@ -37,7 +37,8 @@ class ExactLight {
   [[nodiscard]] std::uint32_t at(double column, double row) {
     const firmware::Observer<double>& observer = prepared_.frame().database.observer;
     // The pixel serves the rectangles, which hold the neighbours of those that a body covers.
-    firmware::RayQuery<double> query = firmware::primary_ray(
+    // The scenes that are looked at so are seen in perspective.
+    firmware::RayQuery<double> query = firmware::primary_ray<firmware::Projection::perspective>(
         observer, inside(column, observer.columns), inside(row, observer.rows));
     query.ray.direction.x = observer.left + column * observer.step;
     query.ray.direction.y = observer.top - row * observer.step;

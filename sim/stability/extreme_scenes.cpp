@@ -72,7 +72,7 @@ void make_mirrors(Scene& scene) {
 Vector3 point_in_matter(const Scene& scene, double share) {
   const PreparedScene<double> prepared(packed_scene<double>(scene, {1, 1}));
   SynthesisArea<double> area(prepared.frame().database);
-  const auto ray = firmware::primary_ray(prepared.frame().database.observer, 0, 0);
+  const auto ray = firmware::primary_ray(prepared.frame().database, 0, 0);
   const firmware::Crossing<double>* crossings = area.view().crossings;
   const std::int32_t count =
       firmware::cross(prepared.frame(), ray, prepared.frame().database.root, area.view().crossings);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "sim/scene/picture_files.hpp"
 #include "sim/scene/scene_description.hpp"
@@ -30,11 +31,11 @@ std::vector<ShippedScene> shipped_scenes(const std::string& directory) {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(directory, error)) {
     if (is_scene(entry.path())) {
       const fs::path name = entry.path().lexically_relative(directory).replace_extension();
-      YamlNode written = load_yaml(entry.path().string());
+      InputFile file = read_input(entry.path().string());
+      YamlNode written = parse_yaml(file);
       std::vector<InputFile> pictures;
       inline_pictures(written, pictures);
-      scenes.push_back(
-          {name.generic_string(), entry.path().string(), written, read_scene(written)});
+      scenes.push_back({name.generic_string(), std::move(file), written, read_scene(written)});
     }
   }
   if (scenes.empty()) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/scene/scene.hpp"
+#include "sim/yaml/input_file.hpp"
 #include "sim/yaml/yaml_node.hpp"
 
 namespace maquette::sim {
@@ -11,7 +12,7 @@ namespace maquette::sim {
 /// A scene of a directory.
 struct ShippedScene {
   std::string name;  ///< of the file, relative to the directory, without its ending
-  std::string file;
+  InputFile file;    ///< as it was read
   YamlNode written;  ///< before it is checked
   Scene scene;
 };

@@ -18,17 +18,6 @@ bool is_sound(const firmware::Color<Real>& luminance) {
   return true;
 }
 
-template <class Real>
-firmware::RayQuery<Real> ray_through(const firmware::Database<Real>& database, int column,
-                                     int row) {
-  using firmware::Projection;
-  const auto x = static_cast<std::int16_t>(column);
-  const auto y = static_cast<std::int16_t>(row);
-  return firmware::is_parallel(database)
-             ? firmware::primary_ray<Projection::parallel>(database.observer, x, y)
-             : firmware::primary_ray<Projection::perspective>(database.observer, x, y);
-}
-
 }  // namespace
 
 template <class Real>
@@ -40,7 +29,8 @@ TrialPicture trial_picture(const PreparedScene<Real>& prepared, int stride) {
   for (int row = 0; row < observer.rows; row += stride) {
     for (int column = 0; column < observer.columns; column += stride) {
       firmware::Sight<Real> sight;
-      const firmware::RayQuery<Real> ray = ray_through(frame.database, column, row);
+      const auto ray = firmware::primary_ray(frame.database, static_cast<std::int16_t>(column),
+                                             static_cast<std::int16_t>(row));
       const firmware::Color<Real> luminance = firmware::luminance(frame, ray, area.view(), sight);
       const bool sound = is_sound(luminance);
       picture.unsound += sound ? 0 : 1;

@@ -51,10 +51,27 @@ TEMPLATE_TEST_CASE("No secondary ray that meets a tree fails its spheres", "", f
   CHECK(lost == 0);
 }
 
-TEMPLATE_TEST_CASE("No primary ray that meets a tree fails its rectangles", "", float, double) {
-  Random random(702);
+/// Primary rays that meet something, and those of them that rectangles keep from it.
+struct RectangleTally {
   int met = 0;
   int lost = 0;
+};
+
+template <class Real>
+void look_through(TreePair<Real>& pair, const Model& model, RectangleTally& tally) {
+  for (std::int16_t row = 0; row < model.rows; row = static_cast<std::int16_t>(row + 3)) {
+    for (std::int16_t column = 0; column < model.columns; ++column) {
+      const auto query = primary_ray(pair.open.frame.database, column, row);
+      const auto reference = pair.open.crossings_of(query);
+      tally.met += reference.empty() ? 0 : 1;
+      tally.lost += are_same(reference, pair.shut.crossings_of(query)) ? 0 : 1;
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("No primary ray that meets a tree fails its rectangles", "", float, double) {
+  Random random(702);
+  RectangleTally tally;
   for (int trial = 0; trial < 300; ++trial) {
     const double size = random.magnitude(1e-3, 1e3);
     const Vector<double> center =
@@ -62,24 +79,16 @@ TEMPLATE_TEST_CASE("No primary ray that meets a tree fails its rectangles", "", 
         size;
     const auto tree = trial::random_tree(random, Model{}, 1 + random.below(9), center, size);
     TreePair<TestType> pair(tree.model, tree.root);
-    for (std::int16_t row = 0; row < tree.model.rows; row = static_cast<std::int16_t>(row + 3)) {
-      for (std::int16_t column = 0; column < tree.model.columns; ++column) {
-        const auto query = primary_ray(pair.open.frame.database.observer, column, row);
-        const auto reference = pair.open.crossings_of(query);
-        met += reference.empty() ? 0 : 1;
-        lost += are_same(reference, pair.shut.crossings_of(query)) ? 0 : 1;
-      }
-    }
+    look_through(pair, tree.model, tally);
   }
-  CHECK(met > 4000);
-  CHECK(lost == 0);
+  CHECK(tally.met > 4000);
+  CHECK(tally.lost == 0);
 }
 
 TEMPLATE_TEST_CASE("No ray of a parallel view that meets a tree fails its rectangles", "", float,
                    double) {
   Random random(703);
-  int met = 0;
-  int lost = 0;
+  RectangleTally tally;
   for (int trial = 0; trial < 300; ++trial) {
     const double size = random.magnitude(1e-3, 1e3);
     const Vector<double> center =
@@ -90,18 +99,10 @@ TEMPLATE_TEST_CASE("No ray of a parallel view that meets a tree fails its rectan
     model.field = size * random.uniform(2, 6);
     const auto tree = trial::random_tree(random, model, 1 + random.below(9), center, size);
     TreePair<TestType> pair(tree.model, tree.root);
-    for (std::int16_t row = 0; row < tree.model.rows; row = static_cast<std::int16_t>(row + 3)) {
-      for (std::int16_t column = 0; column < tree.model.columns; ++column) {
-        const auto query =
-            primary_ray<Projection::parallel>(pair.open.frame.database.observer, column, row);
-        const auto reference = pair.open.crossings_of(query);
-        met += reference.empty() ? 0 : 1;
-        lost += are_same(reference, pair.shut.crossings_of(query)) ? 0 : 1;
-      }
-    }
+    look_through(pair, tree.model, tally);
   }
-  CHECK(met > 4000);
-  CHECK(lost == 0);
+  CHECK(tally.met > 4000);
+  CHECK(tally.lost == 0);
 }
 
 TEST_CASE("Rectangles and spheres are tight around a single body") {
@@ -158,7 +159,7 @@ TEST_CASE("The useful zone is the root's rectangle: no pixel outside of it sees 
     const Rectangle zone = pair.shut.frame.prepared.useful_zone;
     for (std::int16_t row = 0; row < tree.model.rows; ++row) {
       for (std::int16_t column = 0; column < tree.model.columns; ++column) {
-        const auto query = primary_ray(pair.open.frame.database.observer, column, row);
+        const auto query = primary_ray(pair.open.frame.database, column, row);
         REQUIRE((zone.contains(column, row) || pair.open.crossings_of(query).empty()));
       }
     }

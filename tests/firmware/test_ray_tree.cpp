@@ -181,7 +181,7 @@ TEST_CASE("In a surrounding of brightness 1 nothing looks brighter") {
     for (std::int16_t row = 0; row < model.rows; row = static_cast<std::int16_t>(row + 6)) {
       for (std::int16_t column = 0; column < model.columns; ++column) {
         Sight<double> sight;
-        const auto query = primary_ray(built.frame.database.observer, column, row);
+        const auto query = primary_ray(built.frame.database, column, row);
         const Color<double> seen = luminance(built.frame, query, built.area(), sight);
         REQUIRE((seen.x <= 1 + 1e-9 && seen.y <= 1 + 1e-9 && seen.z <= 1 + 1e-9));
         REQUIRE((seen.x >= 0 && seen.y >= 0 && seen.z >= 0));

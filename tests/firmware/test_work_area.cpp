@@ -45,7 +45,7 @@ TEST_CASE("No ray needs more room than the work areas have") {
     for (std::int16_t row = 0; row < model.rows; ++row) {
       for (std::int16_t column = 0; column < model.columns; ++column) {
         built.pixel(column, row);
-        const auto query = primary_ray(built.frame.database.observer, column, row);
+        const auto query = primary_ray(built.frame.database, column, row);
         const std::size_t count = built.crossings_of(query).size();
         most_crossings = larger(most_crossings, count);
         REQUIRE(static_cast<std::int64_t>(count) <= built.needs().result);

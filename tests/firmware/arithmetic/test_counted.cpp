@@ -137,11 +137,10 @@ TEST_CASE("Pixels have the same bits counted or not, and the same work each time
            column = static_cast<std::int16_t>(column + 3)) {
         Sight<float> plain_sight;
         Sight<Counted> counted_sight;
-        const Color<float> a =
-            luminance(plain.frame, primary_ray(plain.frame.database.observer, column, row),
-                      plain.area(), plain_sight);
+        const Color<float> a = luminance(
+            plain.frame, primary_ray(plain.frame.database, column, row), plain.area(), plain_sight);
         const Color<Counted> b =
-            luminance(counted.frame, primary_ray(counted.frame.database.observer, column, row),
+            luminance(counted.frame, primary_ray(counted.frame.database, column, row),
                       counted.area(), counted_sight);
         REQUIRE(std::memcmp(&a, &b, sizeof a) == 0);
         const Work once = work_of([&] { counted.pixel(column, row); });

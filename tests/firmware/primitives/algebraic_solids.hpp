@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/primitives/algebraic_polynomial.hpp"
+#include "tests/firmware/primitives/parameters_of.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Algebraic solids whose value is known term by term.
@@ -50,17 +51,6 @@ inline Solid solid_of(const std::vector<Term>& terms) {
   solid.parameters[0] = degree;
   solid.as_float.assign(solid.parameters.begin(), solid.parameters.end());
   return solid;
-}
-
-template <class Real>
-const Real* parameters_of(const Solid& solid);
-template <>
-inline const double* parameters_of<double>(const Solid& solid) {
-  return solid.parameters.data();
-}
-template <>
-inline const float* parameters_of<float>(const Solid& solid) {
-  return solid.as_float.data();
 }
 
 /// f term by term.

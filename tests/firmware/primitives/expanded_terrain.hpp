@@ -6,6 +6,7 @@
 
 #include "firmware/primitives/terrain.hpp"
 #include "firmware/primitives/terrain_parameters.hpp"
+#include "tests/firmware/primitives/parameters_of.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Terrains with all their triangles, made level by level: what those made along a ray must be.
@@ -97,17 +98,6 @@ inline Land random_land(Random& random, int levels) {
   shape.roughness = random.uniform(0.3, 0.75);
   shape.floor = random.uniform(-0.8, 0);
   return land_of(shape);
-}
-
-template <class Real>
-const Real* parameters_of(const Land& land);
-template <>
-inline const double* parameters_of<double>(const Land& land) {
-  return land.parameters.data();
-}
-template <>
-inline const float* parameters_of<float>(const Land& land) {
-  return land.as_float.data();
 }
 
 }  // namespace maquette::firmware::terrain

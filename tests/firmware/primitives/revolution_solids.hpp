@@ -5,6 +5,7 @@
 
 #include "firmware/primitives/revolution.hpp"
 #include "tests/firmware/generatrices.hpp"
+#include "tests/firmware/primitives/parameters_of.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Random solids of revolution and rays that meet them.
@@ -46,17 +47,6 @@ inline Solid solid_of(const std::vector<double>& control, bool is_open) {
   solid.as_float.assign(solid.parameters.begin(), solid.parameters.end());
   add_chords(solid);
   return solid;
-}
-
-template <class Real>
-const Real* parameters_of(const Solid& solid);
-template <>
-inline const double* parameters_of<double>(const Solid& solid) {
-  return solid.parameters.data();
-}
-template <>
-inline const float* parameters_of<float>(const Solid& solid) {
-  return solid.as_float.data();
 }
 
 /// A tube around the axis: an outline about a circle in the half-plane, counter-clockwise.

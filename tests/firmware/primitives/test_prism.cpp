@@ -9,6 +9,7 @@
 #include "firmware/primitives/box.hpp"
 #include "firmware/primitives/outline.hpp"
 #include "tests/catch.hpp"
+#include "tests/firmware/primitives/parameters_of.hpp"
 #include "tests/firmware/primitives/span_laws.hpp"
 #include "tests/firmware/random_cases.hpp"
 
@@ -88,17 +89,6 @@ Solid solid_of(const std::vector<Contour>& contours) {
   solid.as_float.assign(solid.parameters.begin(), solid.parameters.end());
   add_chords(solid);
   return solid;
-}
-
-template <class Real>
-const Real* parameters_of(const Solid& solid);
-template <>
-const double* parameters_of<double>(const Solid& solid) {
-  return solid.parameters.data();
-}
-template <>
-const float* parameters_of<float>(const Solid& solid) {
-  return solid.as_float.data();
 }
 
 /// About a circle, in either direction; every `stride`-th point next.
