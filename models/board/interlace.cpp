@@ -30,12 +30,13 @@ InterlacedPixels::Steps InterlacedPixels::rows_of(std::int64_t unit) const {
 
 PixelPosition InterlacedPixels::position(std::int64_t index) const {
   const auto next = std::upper_bound(first_pixels_.begin(), first_pixels_.end(), index);
-  const std::int64_t unit = next - first_pixels_.begin() - 1;
-  const std::int64_t in_unit = index - first_pixel(unit);
+  const bool is_pixel = next != first_pixels_.begin() && next != first_pixels_.end();
+  const std::int64_t unit = is_pixel ? next - first_pixels_.begin() - 1 : 0;
   const Steps columns = columns_of(unit);
-  if (columns.count == 0) {
+  if (!is_pixel || columns.count == 0) {
     throw std::out_of_range("no pixel of the zone has this index");
   }
+  const std::int64_t in_unit = index - first_pixel(unit);
   return {columns.first + static_cast<int>(in_unit % columns.count) * interlace_.columns,
           rows_of(unit).first + static_cast<int>(in_unit / columns.count) * interlace_.lines};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -64,19 +65,25 @@ void check_texture(const Surface& surface, const YamlNode& node) {
   }
 }
 
-/// Whether a ray may go on through one of the bodies below an object; surfaces that none of them
-/// has do not matter.
-bool has_transparent_body(const Object& object, const std::string& inherited,
-                          const std::vector<Surface>& surfaces) {
+/// Whether one of the bodies below an object has one of the surfaces.
+bool has_body_of(const Object& object, const std::string& inherited,
+                 const std::set<std::string_view>& surfaces) {
   const std::string& name = object.surface.empty() ? inherited : object.surface;
-  const auto has_name = [&name](const Surface& surface) { return surface.name == name; };
-  const auto goes_through = [&](const Object& child) {
-    return has_transparent_body(child, name, surfaces);
-  };
-  const auto own = std::find_if(surfaces.begin(), surfaces.end(), has_name);
   return object.primitive
-             ? own != surfaces.end() && own->transparent
-             : std::any_of(object.children.begin(), object.children.end(), goes_through);
+             ? surfaces.count(name) > 0
+             : std::any_of(object.children.begin(), object.children.end(),
+                           [&](const Object& child) { return has_body_of(child, name, surfaces); });
+}
+
+/// Whether a ray may go on through a body; surfaces that none has do not matter.
+bool has_transparent_body(const Scene& scene) {
+  std::set<std::string_view> transparent;
+  for (const Surface& surface : scene.surfaces) {
+    if (surface.transparent) {
+      transparent.insert(surface.name);
+    }
+  }
+  return !transparent.empty() && has_body_of(scene.object, "", transparent);
 }
 
 /// The most rays that may follow one through transparent bodies: each is followed by two, and those
@@ -195,8 +202,7 @@ void check_surface(const Surface& surface, const YamlNode& node) {
 
 void check_ray_tree(const Scene& scene, const YamlNode& node) {
   constexpr double k_most_rays = 1e7;
-  if (has_transparent_body(scene.object, "", scene.surfaces) &&
-      !(most_rays(scene.ray_tree) <= k_most_rays)) {
+  if (has_transparent_body(scene) && !(most_rays(scene.ray_tree) <= k_most_rays)) {
     fail(node, "ray_tree",
          "with a transparent surface more than ten million rays may follow one; a larger "
          "minimum_weight or a smaller depth is allowed");

@@ -100,6 +100,18 @@ TEST_CASE("a unit of an interlace has its board's pixels and no others, row by r
   }
 }
 
+TEST_CASE("an index that no pixel of the zone has is refused") {
+  std::mt19937 generator(5);
+  for (int round = 0; round < 200; ++round) {
+    const Interlace interlace = random_interlace(generator);
+    const PixelRectangle zone = random_zone(generator);
+    const InterlacedPixels pixels(interlace, zone);
+    CHECK_THROWS_AS(pixels.position(-1), std::out_of_range);
+    CHECK_THROWS_AS(pixels.position(zone.pixels()), std::out_of_range);
+    CHECK_THROWS_AS(pixels.position(zone.pixels() + 1000), std::out_of_range);
+  }
+}
+
 TEST_CASE("boards of an interlace have as many pixels, give or take one per row and column") {
   std::mt19937 generator(1977);
   for (int one = 0; one < 300; ++one) {
