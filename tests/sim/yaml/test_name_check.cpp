@@ -21,7 +21,7 @@ TEST_CASE("the name of a file leads to no other place") {
                       ContainsSubstring("name: `") && ContainsSubstring("no name of a file"));
   }
   for (const std::string& name : {std::string("photo 4 (a+b), c=d.1"), std::string("château"),
-                                 std::string("_"), std::string("4"), std::string(200, 'x')}) {
+                                  std::string("_"), std::string("4"), std::string(200, 'x')}) {
     INFO(name);
     CHECK(is_file_name(name));
     CHECK_NOTHROW(check_file_name(name, {}, "name"));
