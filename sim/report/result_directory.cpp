@@ -22,7 +22,7 @@ constexpr const char* k_manifest = "manifest.json";
 }
 
 /// The path without a separator at its end, so that it has a name.
-fs::path without_end(fs::path path) {
+fs::path without_end(const fs::path& path) {
   return path.has_filename() || !path.has_parent_path() ? path : path.parent_path();
 }
 

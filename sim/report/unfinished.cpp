@@ -1,7 +1,7 @@
 #include "sim/report/unfinished.hpp"
 
-#include <signal.h>
 #include <unistd.h>
+#include <csignal>
 
 #include <array>
 #include <cerrno>
