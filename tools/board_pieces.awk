@@ -26,6 +26,9 @@ kind == "sections" && match($0, /^ *\[ *[0-9]+\]/) {
     number_of[field[1]] = number
     piece_of_section(number)
   }
+  if (field[2] == "RELA") {
+    relocated_at[value_of(field[4])] = field[9]
+  }
 }
 
 # Num: Value Size Type Bind Vis Ndx Name
@@ -36,10 +39,15 @@ kind == "symbols" && $1 ~ /^[0-9]+:$/ && $7 ~ /^[0-9]+$/ && $7 in piece {
   home_of[$8] = $7
 }
 
+# The offset tells which section is meant, since readelf cuts long names here.
 kind == "relocations" && /^Relocation section/ {
-  split($0, part, "'")
-  target = part[2]
-  sub(/^\.rela/, "", target)
+  match($0, /at offset 0x[0-9a-f]+/)
+  target = relocated_at[value_of(substr($0, RSTART + 10, RLENGTH - 10))]
+  if (!(target in piece)) {
+    print "relocations of what is no piece: " $0 > "/dev/stderr"
+    failed = 1
+    exit 1
+  }
 }
 kind == "relocations" && $3 ~ /^R_68K/ {
   if ($3 != "R_68K_32") {
@@ -48,7 +56,7 @@ kind == "relocations" && $3 ~ /^R_68K/ {
     exit 1
   }
   # Offset Info Type Value Name + Addend
-  place = piece[number_of[target]]
+  place = piece[target]
   relocations[place] = relocations[place] $1 " " $5 " " $7 "\n"
 }
 
