@@ -28,7 +28,7 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"revolution", maquette::benchmark::measure_revolution},
                                           {"terrain", maquette::benchmark::measure_terrain},
                                           {"unions", maquette::benchmark::measure_unions},
-                                          {"vase", maquette::benchmark::measure_vase},
+                                          {"povray", maquette::benchmark::measure_povray},
                                           {"patches", maquette::benchmark::measure_patches}};
 
 std::vector<std::string> measurement_names() {
@@ -89,12 +89,9 @@ int run(int argc, char** argv) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   const std::filesystem::path scratch =
       std::filesystem::temp_directory_path() / fmt::format("maquette-benchmark-{}", getpid());
-  const Paths paths{self.parent_path() / "maquette",
-                    self,
-                    project / "scenes" / "photo4.yaml",
-                    project / "tools" / "benchmark" / "vase.yaml",
-                    project,
-                    scratch};
+  const Paths paths{
+      self.parent_path() / "maquette",          self,    project / "scenes" / "photo4.yaml",
+      project / "tools" / "benchmark" / "peer", project, scratch};
   if (!plain_directory.empty()) {
     maquette::benchmark::render_plain(paths, plain_directory);
     return 0;

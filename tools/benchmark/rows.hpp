@@ -20,7 +20,7 @@ struct Paths {
   std::string program;    ///< maquette
   std::string benchmark;  ///< this program, which can render a plain frame
   std::string scene;
-  std::string vase;  ///< the scene that is compared with POV-Ray
+  std::string peers;  ///< the directory of scenes that are compared with POV-Ray
   std::string models;
   std::string scratch;  ///< a directory of its own
 };
@@ -52,8 +52,8 @@ std::vector<Row> measure_terrain(const Paths& paths);
 /// Rays in unions of 100 to 100 000 bodies, in this process.
 std::vector<Row> measure_unions(const Paths& paths);
 
-/// A vase against POV-Ray, where it is installed.
-std::vector<Row> measure_vase(const Paths& paths);
+/// Pictures of the plain firmware against POV-Ray, where it is installed.
+std::vector<Row> measure_povray(const Paths& paths);
 
 /// Rays against the patches of the teapot, in this process.
 std::vector<Row> measure_patches(const Paths& paths);
