@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <future>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -188,9 +187,6 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       [&] { return record_for(options, description, results, request.threads); },
       std::optional<RecordedFrame>());
   request.record = record ? &*record : nullptr;
-  // Loading takes about as long as many a simulation: with threads to spare they go side by side.
-  const std::future<void> png =
-      std::async(request.threads > 1 ? std::launch::async : std::launch::deferred, prepare_png);
   SimulationResult result;
   {
     Progress progress(!options.quiet);

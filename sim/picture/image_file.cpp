@@ -2,45 +2,60 @@
 
 #include <cstdint>
 #include <stdexcept>
-#include <utility>
+#include <string>
+#include <vector>
 
-#include "sim/picture/picture_module.hpp"
-#include "sim/picture_module/png_codec.hpp"
+#include "sim/picture/png_codec.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {
 
 constexpr int k_channels = 3;
+constexpr int k_byte_bits = 8;
 
 std::size_t pixel_count(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-std::vector<std::uint8_t> to_channels(const std::vector<std::uint32_t>& pixels) {
-  std::vector<std::uint8_t> channels;
-  channels.reserve(pixels.size() * k_channels);
-  for (const std::uint32_t pixel : pixels) {
+PngImage to_channels(const models::Picture& picture) {
+  PngImage image{static_cast<std::uint32_t>(picture.width),
+                 static_cast<std::uint32_t>(picture.height),
+                 k_channels,
+                 k_byte_bits,
+                 {}};
+  image.bytes.reserve(picture.pixels.size() * k_channels);
+  for (const std::uint32_t pixel : picture.pixels) {
     for (const int shift : {16, 8, 0}) {
-      channels.push_back(static_cast<std::uint8_t>(pixel >> shift));
+      image.bytes.push_back(static_cast<std::uint8_t>(pixel >> shift));
     }
   }
-  return channels;
+  return image;
 }
 
-std::vector<std::uint32_t> to_pixels(const std::vector<std::uint8_t>& channels) {
-  std::vector<std::uint32_t> pixels(channels.size() / k_channels);
-  for (std::size_t i = 0; i < channels.size(); ++i) {
-    std::uint32_t& pixel = pixels[i / k_channels];
-    pixel = pixel << 8 | channels[i];
+PngImage to_channels(const models::DepthMap& depths) {
+  PngImage image{static_cast<std::uint32_t>(depths.width),
+                 static_cast<std::uint32_t>(depths.height),
+                 1,
+                 2 * k_byte_bits,
+                 {}};
+  image.bytes.reserve(depths.values.size() * 2);
+  for (const std::uint16_t depth : depths.values) {
+    image.bytes.push_back(static_cast<std::uint8_t>(depth >> k_byte_bits));
+    image.bytes.push_back(static_cast<std::uint8_t>(depth));
   }
-  return pixels;
+  return image;
 }
 
-const PngCodec& codec() {
-  static const PngCodec& loaded =
-      *reinterpret_cast<const PngCodec* (*)()>(picture_module_function(k_png_codec_function))();
-  return loaded;
+/// So many bytes, the first the highest, as one number each.
+template <class Value>
+std::vector<Value> to_values(const std::vector<std::uint8_t>& bytes, std::size_t per_value) {
+  std::vector<Value> values(bytes.size() / per_value);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    Value& value = values[i / per_value];
+    value = static_cast<Value>(value << k_byte_bits | bytes[i]);
+  }
+  return values;
 }
 
 void check_size(int width, int height, std::size_t pixels) {
@@ -49,46 +64,45 @@ void check_size(int width, int height, std::size_t pixels) {
   }
 }
 
-void check_done(const std::string& error) {
-  if (!error.empty()) {
-    throw std::runtime_error(error);
+/// The image in a file, which must have such channels; `wanted` names them.
+PngImage decoded(const std::string& file, const std::string& name, int channels, int bits,
+                 const char* wanted) {
+  PngImage image;
+  try {
+    image = decode_image(file);
+  } catch (const std::runtime_error& error) {
+    throw DescriptionError(name + ": " + error.what());
   }
+  if (image.channels != channels || image.bits != bits) {
+    throw DescriptionError(name + ": has not " + wanted);
+  }
+  return image;
 }
 
 }  // namespace
 
-void prepare_png() { codec(); }
-
 std::string encode_png(const models::Picture& picture) {
   check_size(picture.width, picture.height, picture.pixels.size());
-  std::string bytes;
-  check_done(codec().encode({picture.width, picture.height, to_channels(picture.pixels)}, bytes));
-  return bytes;
+  return encode(to_channels(picture));
 }
 
 std::string encode_depths(const models::DepthMap& depths) {
   check_size(depths.width, depths.height, depths.values.size());
-  std::string bytes;
-  check_done(codec().encode_grey({depths.width, depths.height, depths.values}, bytes));
-  return bytes;
+  return encode(to_channels(depths));
 }
 
 models::Picture decode_png(const std::string& bytes, const std::string& name) {
-  PngImage image;
-  const std::string error = codec().decode(bytes, image);
-  if (!error.empty()) {
-    throw DescriptionError(name + ": " + error);
-  }
-  return {image.width, image.height, to_pixels(image.channels)};
+  const PngImage image =
+      decoded(bytes, name, k_channels, k_byte_bits, "the three 8-bit channels of a frame");
+  return {static_cast<int>(image.width), static_cast<int>(image.height),
+          to_values<std::uint32_t>(image.bytes, k_channels)};
 }
 
 models::DepthMap decode_depths(const std::string& bytes, const std::string& name) {
-  GreyImage image;
-  const std::string error = codec().decode_grey(bytes, image);
-  if (!error.empty()) {
-    throw DescriptionError(name + ": " + error);
-  }
-  return {image.width, image.height, std::move(image.values)};
+  const PngImage image =
+      decoded(bytes, name, 1, 2 * k_byte_bits, "the one 16-bit channel of depths");
+  return {static_cast<int>(image.width), static_cast<int>(image.height),
+          to_values<std::uint16_t>(image.bytes, 2)};
 }
 
 }  // namespace maquette::sim

@@ -7,11 +7,6 @@
 
 namespace maquette::sim {
 
-/// Loads what writing and reading PNG files takes, some tenths of a second of work; encode_png and
-/// decode_png do it themselves at the first picture. Safe to call beside them from another thread.
-/// Throws std::runtime_error when it is not there.
-void prepare_png();
-
 /// The picture as the bytes of a PNG file: 24 bits per pixel, nothing besides the pixels, the same
 /// bytes for the same picture. Throws std::invalid_argument when `pixels` has not the stated size,
 /// or the picture is empty.

@@ -32,9 +32,10 @@ struct ExrImage {
   std::map<std::string, std::string> attributes;  ///< of the file's header
 };
 
-/// OpenEXR files by OpenImageIO, in the module of PngCodec. Both return what went wrong, nothing
-/// when all is well. `decode` fills the channels that `image` names and the attributes of which it
-/// has the names.
+/// OpenEXR files by OpenImageIO, in a module of its own that is loaded when the first record is
+/// written or read: the library brings some 250 others, whose loading takes longer than many a
+/// simulation. Both return what went wrong, nothing when all is well. `decode` fills the channels
+/// that `image` names and the attributes of which it has the names.
 struct ExrCodec {
   std::string (*encode)(const ExrImage& image, std::string& bytes);
   std::string (*decode)(const std::string& bytes, ExrImage& image);
