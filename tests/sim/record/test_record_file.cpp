@@ -5,6 +5,7 @@
 #include <random>
 #include <string>
 
+#include "sim/record/record_image.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
 
@@ -149,6 +150,22 @@ TEST_CASE("a file that is cut or damaged is refused or read as it was, never a c
       REQUIRE_THAT(error.what(), ContainsSubstring("file.exr"));
     }
     REQUIRE((!read || are_equal(*read, frame)));
+  }
+}
+
+TEST_CASE(
+    "a record whose useful zone is not within its picture is refused, whatever its digest says") {
+  std::mt19937 random(34);
+  const RecordedFrame frame = random_frame(random);
+  const maquette::sim::ExrImage image = maquette::sim::record_image(frame);
+  for (const char* zone : {"-1 0 1 1", "0 0 -5 0", "0 0 2147483647 2147483647", "2147483647 0 1 1",
+                           "0 65536 1 1", "0 0 0 -1"}) {
+    INFO(zone);
+    maquette::sim::ExrImage wrong = image;
+    wrong.attributes["maquetteUsefulZone"] = zone;
+    wrong.attributes[maquette::sim::k_record_digest] = maquette::sim::record_digest(wrong);
+    REQUIRE_THROWS_WITH(maquette::sim::frame_of(wrong, "file.exr"),
+                        ContainsSubstring("not within its picture"));
   }
 }
 
