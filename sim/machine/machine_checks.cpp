@@ -11,6 +11,7 @@
 
 #include "models/bus/instant.hpp"
 #include "models/display/video_gaps.hpp"
+#include "models/machine/address_blocks.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -219,6 +220,28 @@ void check_board(const Machine& machine, const YamlNode& root) {
   }
 }
 
+/// All that stands on the bus has addresses, with a block for what boards may share.
+void check_addresses(const models::MachineParameters& parameters, const YamlNode& root) {
+  const std::size_t boards = parameters.boards.size();
+  const auto fits = [&](std::uint64_t block) {
+    return models::shared_base(block, boards, parameters.frame_memory) + block <=
+           models::k_end_of_addresses;
+  };
+  std::uint64_t block = models::block_of(parameters.board.ram_bytes);
+  if (fits(block)) {
+    return;
+  }
+  while (!fits(block)) {
+    block /= 2;
+  }
+  fail_at(root, "board.ram",
+          std::to_string(boards) +
+              " boards with so much and the frame memory need more than the 32 bits of the bus's "
+              "addresses; at most " +
+              format_quantity(static_cast<std::int64_t>(block), WholeDimension::memory) +
+              " is allowed");
+}
+
 /// As interlace_of, with the place and the divisors that are allowed.
 void check_interlace(const models::MachineParameters& parameters, const YamlNode& root) {
   const models::AllotmentParameters& allotment = parameters.allotment;
@@ -284,6 +307,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_board_count(machine, root);
   check_places(machine, root);
   check_board(machine, root);
+  check_addresses(machine.parameters, root);
   check_planes(machine.parameters.frame_memory, root);
   check_depth_compare(machine.parameters, root);
   check_picture_width(machine.parameters, root);

@@ -365,6 +365,18 @@ TEST_CASE("two masters in one place are refused") {
               "scene.yaml:7:55: boards.places: ", "request_level is given too");
 }
 
+TEST_CASE("a machine whose addresses have more than the bus's 32 bits is refused") {
+  const auto with = [](int processors, const std::string& ram) {
+    return with_machine("machine: {name: a, processors: " + std::to_string(processors) +
+                        ", board: {ram: " + ram + "}}");
+  };
+  check_error(with(256, "16 MiB"), "scene.yaml:7:50: board.ram: 256 boards ",
+              "at most 8 MiB is allowed");
+  CHECK(with(256, "8 MiB").empty());
+  CHECK(with(253, "16 MiB").empty());
+  CHECK_FALSE(with(254, "16 MiB").empty());
+}
+
 TEST_CASE("an interlace is of as many pixels as there are boards") {
   const auto with = [](const std::string& allotment, int processors) {
     return with_machine("machine: {name: a, processors: " + std::to_string(processors) +
