@@ -8,6 +8,8 @@
 #include "firmware/arithmetic/stop_request.hpp"
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/program.hpp"
+#include "sim/command_line/standard_streams.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace {
@@ -36,23 +38,26 @@ int flushed(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) {
     return exit_code;
   }
-  fmt::print(stderr, "maquette: standard output cannot be written: {}\n", std::strerror(errno));
+  maquette::sim::remark(
+      fmt::format("maquette: standard output cannot be written: {}\n", std::strerror(errno)));
   return k_exit_failure;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  using maquette::sim::remark;
+  maquette::sim::occupy_closed_streams();
   try {
     return flushed(run_program(argc, argv));
   } catch (const maquette::sim::DescriptionError& error) {
-    fmt::print(stderr, "{}\n", error.what());
+    remark(fmt::format("{}\n", error.what()));
     return k_exit_bad_input;
   } catch (const maquette::firmware::StopRequested&) {
-    fmt::print(stderr, "interrupted before the simulation began; nothing is written\n");
+    remark("interrupted before the simulation began; nothing is written\n");
     return maquette::sim::k_exit_interrupted;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "maquette: {}\n", error.what());
+    remark(fmt::format("maquette: {}\n", error.what()));
     return k_exit_failure;
   }
 }

@@ -20,6 +20,7 @@
 #include "sim/picture/image_file.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/report/progress.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/report/result_directory.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
@@ -97,9 +98,9 @@ void explain_missing(const AccuracyOptions& options, const Machine& machine) {
       wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   const std::optional<std::string> obstacle = obstacle_to_execution(machine);
   if (is_wanted && obstacle) {
-    fmt::print(stderr,
-               "the ladder {} is left out, since boards can not execute their program: {}\n", name,
-               *obstacle);
+    remark(
+        fmt::format("the ladder {} is left out, since boards can not execute their program: {}\n",
+                    name, *obstacle));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "sim/report/remark.hpp"
 #include "sim/report/result_directory.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
@@ -46,7 +47,7 @@ int run_frames(const RunOptions& options, const std::vector<std::string>& comman
   const Interruption interruption;
   const auto show = [&](std::size_t done) {
     if (!options.quiet) {
-      fmt::print(stderr, "frame {} of {}\n", done, description.frames.size());
+      remark(fmt::format("frame {} of {}\n", done, description.frames.size()));
     }
   };
   const SequenceResult sequence = run_sequence(description, request, results.workplace(), show);

@@ -22,6 +22,7 @@
 #include "sim/picture/image_file.hpp"
 #include "sim/report/output_check.hpp"
 #include "sim/report/progress.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/report/result_directory.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
@@ -208,7 +209,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
   add_ram_files(request.dumped_boards, result, files);
   const models::Instant frame_end = result.statistics.frame.time;
-  fmt::print(stderr, "{}", trace_files.remarks(result.trace, frame_end));
+  remark(trace_files.remarks(result.trace, frame_end));
   trace_files.write(result.trace, frame_end);
   write_files(results.workplace(), files);
   results.publish(manifest_of(command, description.input_files, host_time_s()));

@@ -12,6 +12,7 @@
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/report/progress.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
@@ -246,8 +247,8 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
         [&line](const StudyProgress& now) { line.show_points(now.done, now.failed, now.planned); });
   }
   if (Interruption::is_requested()) {
-    fmt::print(stderr, "interrupted after {} of {} points; the same command goes on\n",
-               progress.done, progress.planned);
+    remark(fmt::format("interrupted after {} of {} points; the same command goes on\n",
+                       progress.done, progress.planned));
     return k_exit_interrupted;
   }
   if (!selects_all(options)) {

@@ -141,6 +141,7 @@ std::string gnuplot_script(const std::string& name, const std::string& settings,
 }
 
 void draw(const fs::path& directory, const std::string& name, const std::string& script) {
+  clear_unfinished(directory, name);
   const Workplace workplace(directory / unfinished_name(name));
   write_files(workplace.path(), {{name + ".gp", script}});
   const int exit_code = run_gnuplot(workplace.path(), name + ".gp");

@@ -22,6 +22,7 @@ namespace {
 OutputFile::OutputFile(const std::filesystem::path& path)
     : path_(replaceable(path)),
       unfinished_(path_.parent_path() / unfinished_name(path_.filename().string())) {
+  clear_unfinished(path_.has_parent_path() ? path_.parent_path() : ".", path_.filename().string());
   stream_.open(unfinished_, std::ios::binary | std::ios::trunc);
   if (!stream_) {
     fail(path_, std::strerror(errno));

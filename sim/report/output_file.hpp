@@ -7,7 +7,8 @@
 namespace maquette::sim {
 
 /// A file that is written piece by piece beside its name and renamed when it is complete, so nobody
-/// ever finds half of it; without `publish` nothing is left.
+/// ever finds half of it; without `publish` nothing is left. What killed commands left of such a
+/// file is cleared by the next that begins it.
 class OutputFile {
  public:
   /// Begins the file. Throws DescriptionError when there is no such directory or no permission.

@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "sim/picture/image_file.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
@@ -67,7 +68,7 @@ SequenceResult run_sequence(const Description& description, const SimulationRequ
     try {
       return run_frame(description, frame, request, directory);
     } catch (const std::exception& error) {
-      fmt::print(stderr, "frame {}: {}\n", frame, error.what());
+      remark(fmt::format("frame {}: {}\n", frame, error.what()));
       return k_failed;
     }
   };

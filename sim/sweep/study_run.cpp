@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/arithmetic/stop_request.hpp"
+#include "sim/report/remark.hpp"
 #include "sim/run/forked_jobs.hpp"
 #include "sim/run/frame_recorder.hpp"
 #include "sim/run/interruption.hpp"
@@ -61,7 +62,7 @@ int run_point(const StudyPoints& points, const StudyDirectory& directory, int po
     directory.write(point, *result);
     return result->statistics ? 0 : k_failure_stored;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "maquette: point {}: {}\n", point, error.what());
+    remark(fmt::format("maquette: point {}: {}\n", point, error.what()));
     return 1;
   }
 }
