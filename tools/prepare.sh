@@ -20,7 +20,8 @@ quietly() {
 # Prints the packages of the list: those for the program, and those for the purposes given.
 wanted_packages() {
   awk -v purposes=" $* " '{ sub(/#.*/, "") }
-    NF == 1 || NF > 1 && index(purposes, " " $2 " ") { print $1 }' "$root/tools/packages.txt" |
+    NF == 1 { print $1 }
+    { for (i = 2; i <= NF; ++i) if (index(purposes, " " $i " ")) { print $1; next } }' "$root/tools/packages.txt" |
     LC_ALL=C sort
 }
 
@@ -48,7 +49,7 @@ missing_packages() {
 }
 
 # Installs what is missing to build the program, and for the purposes given besides: test, package,
-# ci.
+# fuzz, ci.
 install_packages() {
   local missing administrator=()
   command -v dpkg-query >/dev/null ||

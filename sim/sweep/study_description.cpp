@@ -118,9 +118,10 @@ void drop_replaced(std::vector<Override>& changes) {
 
 }  // namespace
 
-Study read_study(const std::string& file) {
+Study read_study(const std::string& file) { return read_study(load_yaml(file)); }
+
+Study read_study(const YamlNode& root) {
   Study study;
-  const YamlNode root = load_yaml(file);
   FieldReader reader{root, "study"};
   declare_study(reader, study);
   reader.finish();
