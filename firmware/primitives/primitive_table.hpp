@@ -9,6 +9,7 @@
 #include "firmware/primitives/patches.hpp"
 #include "firmware/primitives/prism.hpp"
 #include "firmware/primitives/revolution.hpp"
+#include "firmware/primitives/shell.hpp"
 #include "firmware/primitives/sphere.hpp"
 #include "firmware/primitives/terrain.hpp"
 #include "firmware/primitives/torus.hpp"
@@ -19,7 +20,7 @@ namespace maquette::firmware {
 /// scene says of it stands in the header and the source of that name in sim/primitives.
 using Primitives = KindList<half_space::Kind, box::Kind, sphere::Kind, cylinder::Kind, cone::Kind,
                             revolution::Kind, terrain::Kind, algebraic::Kind, prism::Kind,
-                            patches::Kind, torus::Kind>;
+                            patches::Kind, torus::Kind, shell::Kind>;
 
 inline constexpr int k_primitive_kind_count = Primitives::k_count;
 static_assert(k_primitive_kind_count <= k_primitive_kind_limit);

@@ -47,20 +47,28 @@ struct TreeWalk {
   HitList<Real> list;
 };
 
+/// How hits of a solid's section are added.
+struct SolidSection {
+  template <class Real>
+  [[gnu::always_inline]] static void add_hits(TreeWalk<Real>& walk, int section) {
+    HitList<Real>& list = walk.list;
+    make_room(list, k_section_degree);
+    list.count += intersect_section(walk.ray, walk.curve.section(section), face_of(section),
+                                    list.hits + list.count);
+  }
+};
+
 /// Adds the hits of the sections below a node, of which `first` is the first.
-template <class Real>
+template <class Section, class Real>
 void intersect_node(TreeWalk<Real>& walk, int node, int first, int sections) {
   charge<Real>(Operation::part);
   while (!misses(walk.ray, walk.curve.extent(node))) {
     if (sections == 1) {
-      HitList<Real>& list = walk.list;
-      make_room(list, k_section_degree);
-      list.count += intersect_section(walk.ray, walk.curve.section(first), face_of(first),
-                                      list.hits + list.count);
+      Section::add_hits(walk, first);
       return;
     }
     const int half = sections / 2;
-    intersect_node(walk, node + 1, first, half);
+    intersect_node<Section>(walk, node + 1, first, half);
     charge<Real>(Operation::part);
     node += 2 * half;
     first += half;
@@ -88,7 +96,7 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   const Generatrix<Real>& curve = walk.curve;
   charge<Real>(Operation::load);
   walk.ray.root_tolerance *= parameters[k_root_tolerance];
-  intersect_node(walk, 0, 0, curve.sections);
+  intersect_node<SolidSection>(walk, 0, 0, curve.sections);
   HitList<Real>& list = walk.list;
   if (curve.is_open) {
     make_room(list, 2);
@@ -99,8 +107,23 @@ int intersect(const Ray<Real>& ray, const Real* parameters, Hit<Real>* hits) {
   return in_order(list);
 }
 
-/// The normal is perpendicular to the curve in the half-plane of the point (paper, section IV.2.3),
-/// free of the quotient dr / dz; on the axis along the axis.
+/// A point brought onto a section. The normal is perpendicular to the curve in the half-plane of
+/// the point (paper, section IV.2.3), free of the quotient dr / dz; on the axis along the axis.
+template <class Real>
+[[gnu::always_inline]] inline FacePoint<Real> settled_on(const Real* section,
+                                                         const Vector<Real>& point, Real radius) {
+  const Real zero = constant<Real>(0);
+  const Real one = constant<Real>(1);
+  const CurvePoint<Real> on = curve_point(section, nearest_parameter(section, radius, point.z));
+  if (!(radius > zero)) {
+    return {{zero, zero, on.y}, {zero, zero, on.change_x > zero ? -one : one}};
+  }
+  const Real inverse = one / radius;
+  const Real x = point.x * inverse;
+  const Real y = point.y * inverse;
+  return {{x * on.x, y * on.x, on.y}, {x * on.change_y, y * on.change_y, -on.change_x}};
+}
+
 template <class Real>
 FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real* parameters) {
   const Real zero = constant<Real>(0);
@@ -113,15 +136,7 @@ FacePoint<Real> settle(const Vector<Real>& point, std::uint8_t face, const Real*
     return {{point.x, point.y, height}, {zero, zero, is_first ? -one : one}};
   }
   const Real radius = radius_of(point);
-  const Real* points = curve.section(section_of(curve, face, radius, point.z));
-  const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, radius, point.z));
-  if (!(radius > zero)) {
-    return {{zero, zero, on.y}, {zero, zero, on.change_x > zero ? -one : one}};
-  }
-  const Real inverse = one / radius;
-  const Real x = point.x * inverse;
-  const Real y = point.y * inverse;
-  return {{x * on.x, y * on.x, on.y}, {x * on.change_y, y * on.change_y, -on.change_x}};
+  return settled_on(curve.section(section_of(curve, face, radius, point.z)), point, radius);
 }
 
 template <class Real>
@@ -138,8 +153,17 @@ bool bounds(const Real* parameters, Box<Real>& box) {
   return true;
 }
 
-/// By the angle and the parameter of the generatrix, whose sections share it evenly; the discs by x
-/// and y as far as the solid reaches.
+/// By the angle and the parameter of the generatrix, whose sections share it evenly.
+template <class Real>
+[[gnu::always_inline]] inline SurfacePlace<Real> place_on(const Generatrix<Real>& curve,
+                                                          int section, const Vector<Real>& point,
+                                                          Real radius) {
+  const Real along = nearest_parameter(curve.section(section), radius, point.z);
+  return {turn_of(point.x, point.y),
+          within_unit((from_integer<Real>(section) + along) / from_integer<Real>(curve.sections))};
+}
+
+/// The discs by x and y as far as the solid reaches.
 template <class Real>
 SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
                                  const Real* parameters) {
@@ -149,10 +173,7 @@ SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
     return {from_edges(point.x * inverse), from_edges(point.y * inverse)};
   }
   const Real radius = radius_of(point);
-  const int section = section_of(curve, face, radius, point.z);
-  const Real along = nearest_parameter(curve.section(section), radius, point.z);
-  return {turn_of(point.x, point.y),
-          within_unit((from_integer<Real>(section) + along) / from_integer<Real>(curve.sections))};
+  return place_on(curve, section_of(curve, face, radius, point.z), point, radius);
 }
 
 /// What the table of primitives lists.

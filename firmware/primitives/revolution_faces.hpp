@@ -20,19 +20,20 @@ Real radius_of(const Vector<Real>& point) {
   return square_root(point.x * point.x + point.y * point.y);
 }
 
+template <int faces = k_section_faces>
 constexpr std::uint8_t face_of(int section) {
-  while (section >= k_section_faces) {
-    section -= k_section_faces;
+  while (section >= faces) {
+    section -= faces;
   }
   return static_cast<std::uint8_t>(section);
 }
 
-/// The section nearest to (r, z) of those that share a face.
-template <class Real>
+/// The section nearest to (r, z) of those that share one of so many faces.
+template <int faces, class Real>
 [[gnu::noinline]] int nearest_section(const Generatrix<Real>& curve, int face, Real r, Real z) {
   int nearest = face;
   Real least = far_away<Real>();
-  for (int section = face; section < curve.sections; section += k_section_faces) {
+  for (int section = face; section < curve.sections; section += faces) {
     const Real* points = curve.section(section);
     const CurvePoint<Real> on = curve_point(points, nearest_parameter(points, r, z));
     const Real across = on.x - r;
@@ -47,9 +48,9 @@ template <class Real>
 }
 
 /// The section of a face at (r, z).
-template <class Real>
+template <int faces = k_section_faces, class Real>
 int section_of(const Generatrix<Real>& curve, int face, Real r, Real z) {
-  return face + k_section_faces < curve.sections ? nearest_section(curve, face, r, z) : face;
+  return face + faces < curve.sections ? nearest_section<faces>(curve, face, r, z) : face;
 }
 
 }  // namespace maquette::firmware::revolution

@@ -142,10 +142,11 @@ Real place_at(const AxialRay<Real>& ray, const SectionCurve<Real>& curve, const 
   return ((beyond ? chord : -chord) - ray.way) / ray.across;
 }
 
-/// Both hits of a ray that keeps its height meet the section at one u, or neither.
-template <class Real>
-int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t face,
-                    Hit<Real>* hits) {
+/// Calls `visit(distance, is_far, change)` with the hits of a ray that keeps its height: both meet
+/// the section at one u, or neither. `change` is that of the way with u.
+template <class Real, class Visit>
+[[gnu::always_inline]] inline void visit_level(const AxialRay<Real>& ray, const Real* points,
+                                               Visit visit) {
   const Cubic<Real> radius = coordinate(points);
   Cubic<Real> way = coordinate(points + 1);
   for (Real& ordinate : way.at) {
@@ -153,7 +154,6 @@ int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t 
   }
   const RealRoots<Real> roots =
       roots_of(firmware::polynomial_of(polygon_of(way)), ray.root_tolerance);
-  int count = 0;
   for (int i = 0; i < roots.count; ++i) {
     const Real u = roots.at[i];
     const Real r = value_at(radius, u);
@@ -167,9 +167,18 @@ int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t 
     const Real tilt =
         absolute(change) * chord > absolute(widening) ? widening / change : constant<Real>(0);
     const Real inverse = constant<Real>(1) / ray.across;
-    hits[count++] = {ray.distance((tilt - chord - ray.way) * inverse), face};
-    hits[count++] = {ray.distance((tilt + chord - ray.way) * inverse), face};
+    visit(ray.distance((tilt - chord - ray.way) * inverse), false, change);
+    visit(ray.distance((tilt + chord - ray.way) * inverse), true, change);
   }
+}
+
+template <class Real>
+int intersect_level(const AxialRay<Real>& ray, const Real* points, std::uint8_t face,
+                    Hit<Real>* hits) {
+  int count = 0;
+  visit_level(ray, points, [&](Real distance, bool /*is_far*/, Real /*change*/) {
+    hits[count++] = {distance, face};
+  });
   return count;
 }
 

@@ -32,7 +32,7 @@ Real within_unit(Real value) {
 
 /// A coordinate from -1 to 1 as a parameter.
 template <class Real>
-Real from_edges(Real coordinate) {
+[[gnu::noinline]] Real from_edges(Real coordinate) {
   return within_unit(coordinate * constant<Real>(0.5) + constant<Real>(0.5));
 }
 

@@ -39,9 +39,8 @@ struct RevolutionShape {
 /// The control points after all displacements.
 [[nodiscard]] std::vector<glm::dvec2> displaced_points(const RevolutionShape& shape);
 
-/// A solid of revolution in the firmware's terms: the axis is z, the largest radius of a Bezier
-/// point is 1, heights reach from -1 to 1 (paper, section IV.2); of a displaced one between half of
-/// that and all, so that what is not displaced stays. The shape must be a checked one.
+/// A solid of revolution in the firmware's terms, as generatrix_frame says. The shape must be a
+/// checked one.
 [[nodiscard]] LocalFrame frame_of(const RevolutionShape& shape);
 
 }  // namespace maquette::sim

@@ -42,6 +42,22 @@ void check_opaque_below(const Object& object, const std::string& surface_above,
   }
 }
 
+/// Throws DescriptionError for what has no thickness below an operand that is to have an inside:
+/// any but the first of a difference or an intersection, whose matter is that of the first.
+void check_thick_operands(const Object& object, bool needs_inside) {
+  if (needs_inside && !why_opaque(object).empty()) {
+    throw DescriptionError(object.position_in_file,
+                           std::string{object.primitive->description->name} +
+                               ": without thickness it has no inside, by which a difference or an "
+                               "intersection could cut; the first operand, which is cut, and "
+                               "operands of unions are allowed to be without");
+  }
+  const bool is_union = object.combination == firmware::BooleanOperator::union_of;
+  for (std::size_t i = 0; i < object.children.size(); ++i) {
+    check_thick_operands(object.children[i], needs_inside || (i > 0 && !is_union));
+  }
+}
+
 void check_texture(const Surface& surface, const YamlNode& node) {
   const Texture& texture = *surface.texture;
   if (texture.pattern.has_value() == texture.picture.has_value()) {
@@ -100,8 +116,9 @@ double most_rays(const RayTree& tree) {
 
 }  // namespace
 
-void check_opaque(const Scene& scene) {
+void check_sheets(const Scene& scene) {
   check_opaque_below(scene.object, scene.object.surface, scene.surfaces);
+  check_thick_operands(scene.object, false);
 }
 
 void check_light(const Light& light, const YamlNode& node) {

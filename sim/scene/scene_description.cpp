@@ -119,7 +119,7 @@ Scene read_scene(const YamlNode& root) {
   reader.allow("machine");
   reader.finish();
   check_view(scene.view, nearest_node(root, "view"));
-  check_opaque(scene);
+  check_sheets(scene);
   check_ray_tree(scene, root);
   if (scene.samples) {
     check_samples(*scene.samples, *root.find("samples"));

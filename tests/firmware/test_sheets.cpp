@@ -1,9 +1,15 @@
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "firmware/primitives/shell.hpp"
 #include "firmware/shadow.hpp"
 #include "tests/catch.hpp"
+#include "tests/firmware/generatrices.hpp"
 #include "tests/firmware/patch_sets.hpp"
 #include "tests/firmware/test_frame.hpp"
 
-/// Patches without thickness in a scene: each hit is a span of no length.
+/// Patches and shells without thickness in a scene: each hit is a span of no length.
 namespace maquette::firmware {
 namespace {
 
@@ -21,10 +27,24 @@ trial::ControlNets bowl(double bend) {
   })};
 }
 
-NodeIndex add_bowl(Model& model, double bend, const Placement& to_scene) {
-  return model.add(kind_of<patches::Kind>, to_scene, 0,
-                   trial::parameters_of<double>(bowl(bend), false, trial::SearchMethod::roots));
+/// The same as far as x^2 + y^2 = 1.62, which is farther everywhere.
+std::vector<double> bowl_shell(double bend) {
+  const double edge = 1.62;
+  const double r = std::sqrt(edge);
+  return trial::converted<double>(
+      trial::given_sections({0, 0, r / 3, 0, r * 2 / 3, bend * edge / 3, r, bend * edge}, true));
 }
+
+enum class Sheet { patches, shell };
+
+NodeIndex add_bowl(Model& model, Sheet sheet, double bend, const Placement& to_scene) {
+  return sheet == Sheet::shell ? model.add(kind_of<shell::Kind>, to_scene, 0, bowl_shell(bend))
+                               : model.add(kind_of<patches::Kind>, to_scene, 0,
+                                           trial::parameters_of<double>(
+                                               bowl(bend), false, trial::SearchMethod::roots));
+}
+
+Sheet either(Random& random) { return random.coin() ? Sheet::shell : Sheet::patches; }
 
 /// A bowl at some distance from the eye, and points on either side of its middle.
 struct Setting {
@@ -34,7 +54,7 @@ struct Setting {
 
   Setting(Random& random, double bend)
       : placement(random.placement(random.in_cube(4), random.magnitude(1e-2, 1e2), 1)) {
-    root = add_bowl(model, bend, placement);
+    root = add_bowl(model, either(random), bend, placement);
   }
   [[nodiscard]] Vector<double> place(const Vector<double>& local) const {
     return transform_point(placement, local);
@@ -140,7 +160,7 @@ TEMPLATE_TEST_CASE("Of a sheet in a CSG tree what the operators leave is seen", 
     Model model;
     const Placement placement = random.placement(random.in_cube(4), random.magnitude(1e-2, 1e2), 1);
     const SurfaceIndex other = model.add(trial::matt_surface());
-    const NodeIndex sheet = add_bowl(model, 0, placement);
+    const NodeIndex sheet = add_bowl(model, either(random), 0, placement);
     const NodeIndex box = model.add(kind_of<box::Kind>,
                                     concatenate(placement, trial::scaled({0.4, 0.4, 0.4})), other);
     const auto crossings = [&](BooleanOperator combination, NodeIndex a, NodeIndex b, double x) {
@@ -167,6 +187,38 @@ TEMPLATE_TEST_CASE("Of a sheet in a CSG tree what the operators leave is seen", 
     REQUIRE(carved.front().medium == other);
     REQUIRE(carved.back().medium == k_void);
     REQUIRE(carved.front().distance < carved.back().distance);
+  }
+}
+
+TEMPLATE_TEST_CASE("Turned, moved and scaled, a sheet is met at the same places of it", "", float,
+                   double) {
+  Random random(2405);
+  const double tolerance = 2000 * static_cast<double>(ulps<TestType>(1));
+  for (int i = 0; i < 300; ++i) {
+    const Sheet sheet = either(random);
+    const double bend = random.uniform(0.1, 0.5);
+    const double scale = random.magnitude(1e-2, 1e2);
+    const Placement placement = random.placement(random.in_cube(scale), scale, 1);
+    const Vector<double> from = random.in_cube(0.4) + Vector<double>(0, 0, random.coin() ? 3 : -3);
+    const Vector<double> to = random.in_cube(0.3);
+    const auto met = [&](const Placement& place) {
+      Model model;
+      const NodeIndex root = add_bowl(model, sheet, bend, place);
+      BuiltFrame<TestType> built(model, root);
+      const Vector<double> start = transform_point(place, from);
+      const Vector<double> way = transform_point(place, to) - start;
+      return std::pair{built.crossings_of(start, glm::normalize(way)), glm::length(way)};
+    };
+    const auto [own, own_length] = met(trial::unmoved());
+    const auto [placed, placed_length] = met(placement);
+    CAPTURE(i, scale);
+    REQUIRE(own.size() == 2);
+    REQUIRE(placed.size() == 2);
+    for (std::size_t k = 0; k < 2; ++k) {
+      REQUIRE(own[k].face == placed[k].face);
+      REQUIRE(static_cast<double>(own[k].distance) / own_length ==
+              Approx(static_cast<double>(placed[k].distance) / placed_length).margin(tolerance));
+    }
   }
 }
 

@@ -175,19 +175,23 @@ TEST_CASE("arithmetic by the host at its exact cost is the executed package at e
   const std::string scenes = std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/";
   for (const std::string scene :
        {"photo4.yaml", "primitives/prism.yaml", "primitives/revolution.yaml",
-        "effects/facets_gaussian.yaml", "effects/tinted_shadows.yaml"}) {
-    const auto result = [&](const std::string& execution) {
-      const std::string directory = (scratch / execution).string();
-      const Outcome outcome = run_maquette(
-          "run " + scenes + scene + " --processor instruction --set board.ram=1024KiB " +
-          "--set board.arithmetic=maquette_ffp --set board.arithmetic.execution=" + execution +
-          k_coarse + directory);
+        "primitives/shell.yaml", "effects/facets_gaussian.yaml", "effects/orthographic.yaml",
+        "effects/tinted_shadows.yaml"}) {
+    const auto result = [&](const std::string& name, const std::string& processor) {
+      const std::string directory = (scratch / name).string();
+      const Outcome outcome =
+          run_maquette("run " + scenes + scene + " --set board.ram=1024KiB " +
+                       "--set board.arithmetic=maquette_ffp " + processor + k_coarse + directory);
       INFO(scene << ": " << outcome.errors);
       REQUIRE(outcome.exit_code == 0);
-      return content_of(directory + "/stats.json");
+      return scratch / name;
     };
+    const std::string executed = "--processor instruction --set board.arithmetic.execution=";
     INFO(scene);
-    CHECK(result("exact") == result("package"));
+    const auto package = result("package", executed + "package");
+    CHECK(content_of(result("exact", executed + "exact") / "stats.json") ==
+          content_of(package / "stats.json"));
+    CHECK(content_of(result("counted", "") / "frame.png") == content_of(package / "frame.png"));
   }
 }
 
