@@ -76,6 +76,7 @@ void InstructionProcessor::run(BoardProgram& program) {
         break;
       case ProgramEvent::Kind::synthesis:
         preprocessing_ = spent_;
+        before_pixels_ = processor_.spent();
         break;
       case ProgramEvent::Kind::end:
         require_end(event.stop);

@@ -36,6 +36,8 @@ class InstructionProcessor {
 
   /// From the start to the first pixel's work.
   [[nodiscard]] Duration preprocessing() const { return preprocessing_; }
+  /// What the processor had done with its time when the first pixel's work began.
+  [[nodiscard]] const ProcessorTime& before_pixels() const { return before_pixels_; }
   [[nodiscard]] std::int64_t locks_taken() const { return locks_taken_; }
   [[nodiscard]] std::int64_t failed_tries() const { return failed_tries_; }
   /// Read of a database that boards share.
@@ -65,6 +67,7 @@ class InstructionProcessor {
   KeptWrites kept_;
   Duration spent_{};
   Duration preprocessing_{};
+  ProcessorTime before_pixels_;
   BusBurst read_{tlm::TLM_READ_COMMAND};
   BusBurst write_{tlm::TLM_WRITE_COMMAND};
   BusBurst test_and_set_{tlm::TLM_READ_COMMAND};

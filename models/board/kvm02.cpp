@@ -58,6 +58,7 @@ Kvm02::Kvm02(const sc_core::sc_module_name& name, const Kvm02Parameters& paramet
   } else {  // nothing but the writes needs the bus: it is given one burst after the other
     writing.follow_up = [this](Instant end) -> std::optional<Duration> {
       processor_.account(writer_.burst().transaction, end);
+      tell_written();
       return gather() ? std::optional(processor_.computing()) : std::nullopt;
     };
   }
@@ -86,6 +87,9 @@ void Kvm02::run() {
   const Instant started = processor_.now();
   compute(source_.preprocessing());
   preprocessing_ = processor_.now() - started;
+  if (pixel_meter_) {
+    pixel_meter_->begin(processor_.spent());
+  }
   if (own_pixels_) {
     if (cursor_.enter(share_.first)) {
       keep_pixels(*own_pixels_);
@@ -103,6 +107,15 @@ void Kvm02::run() {
 void Kvm02::write_pixels() {
   while (gather()) {
     processor_.transact(writer_.burst());
+    if (!writer_.burst().transaction.follow_up) {
+      tell_written();
+    }
+  }
+}
+
+void Kvm02::tell_written() {
+  if (pixel_meter_) {
+    pixel_meter_->write(processor_.spent());
   }
 }
 
@@ -163,6 +176,13 @@ void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
   if (own_pixels_) {
     own_pixels_->keep(position, bytes, processor_.now(), ram_);
   }
+  if (pixel_meter_) {
+    if (pixels_ == 0) {
+      pixel_meter_->begin(executing_->before_pixels());
+    }
+    pixel_meter_->compute(position, processor_.spent());
+    tell_written();
+  }
   ++pixels_;
   work_.add(pixel.work);
   work_.add(pixel.rays);
@@ -174,6 +194,9 @@ void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
 SynthesizedPixel Kvm02::synthesize() {
   SynthesizedPixel pixel = source_.pixel(cursor_.take());
   compute(pixel.work);
+  if (pixel_meter_) {
+    pixel_meter_->compute({pixel.column, pixel.row}, processor_.spent());
+  }
   ++pixels_;
   work_.add(pixel.work);
   work_.add(pixel.rays);
@@ -191,6 +214,7 @@ void Kvm02::keep_pixels(const OwnPixels& own_pixels) {
     processor_.pass();
     own_pixels.keep({pixel.column, pixel.row}, frame_.format.written(pixel.rgb, pixel.depth),
                     processor_.now(), ram_);
+    tell_written();
   }
 }
 

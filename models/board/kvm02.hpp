@@ -14,6 +14,7 @@
 #include "models/board/instruction_processor.hpp"
 #include "models/board/kvm02_parameters.hpp"
 #include "models/board/own_pixels.hpp"
+#include "models/board/pixel_meter.hpp"
 #include "models/board/pixel_source.hpp"
 #include "models/board/pixel_writer.hpp"
 #include "models/board/processor.hpp"
@@ -62,6 +63,12 @@ class Kvm02 : public sc_core::sc_module {
   void execute(const ProgramEntry& entry, const HostRoutines& host_routines,
                const std::vector<RamPart>& resident, ProgramSlots& slots);
 
+  /// What each of its pixels took is shown to `observer` when it is written, as of the board with a
+  /// number. Before the simulation starts.
+  void observe_pixels(int board, const PixelObserver& observer) {
+    pixel_meter_.emplace(board, observer);
+  }
+
   /// Its number on the bus, told before the simulation starts.
   void set_master(int master) { master_ = master; }
 
@@ -83,6 +90,7 @@ class Kvm02 : public sc_core::sc_module {
   [[nodiscard]] bool gather();
   [[nodiscard]] bool is_due(int row);
   void compute(const firmware::Work& work);
+  void tell_written();
   void write_pixels();
   void keep_pixels(const OwnPixels& own_pixels);
   void finish();
@@ -107,7 +115,8 @@ class Kvm02 : public sc_core::sc_module {
   std::optional<UnitClaims> claims_;        // of units on demand
   std::optional<DatabaseReader> database_;  // of a shared one
 
-  std::optional<OwnPixels> own_pixels_;  // of a board that keeps them
+  std::optional<OwnPixels> own_pixels_;    // of a board that keeps them
+  std::optional<PixelMeter> pixel_meter_;  // of one whose pixels are observed
 
   // Of a board that executes its program.
   FrameWindow frame_;

@@ -8,6 +8,7 @@
 #include "firmware/arithmetic/work.hpp"
 #include "models/board/board_statistics.hpp"
 #include "models/board/kvm02_parameters.hpp"
+#include "models/board/pixel_meter.hpp"
 #include "models/board/work_cost.hpp"
 #include "models/bus/bus_burst.hpp"
 #include "models/bus/instant.hpp"
@@ -76,6 +77,11 @@ class Processor {
 
   /// The instant that it has reached.
   [[nodiscard]] Instant now() const { return accounted_ + computing_; }
+
+  /// What it has done with its time since the start of the frame.
+  [[nodiscard]] ProcessorTime spent() const {
+    return {states_.compute + computing_, states_.wait_grant, states_.transfer};
+  }
 
   /// Up to here its states are known, perhaps ahead of the kernel.
   [[nodiscard]] Instant accounted() const { return accounted_; }

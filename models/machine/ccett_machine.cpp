@@ -227,6 +227,12 @@ void CcettMachine::observe_lines(
   }
 }
 
+void CcettMachine::observe_pixels(const PixelObserver& observer) {
+  for (std::size_t index = 0; index < boards_.size(); ++index) {
+    boards_[index]->observe_pixels(static_cast<int>(index), observer);
+  }
+}
+
 VideoReader& CcettMachine::watch_video(Duration from, Duration to) {
   video_reader_ = std::make_unique<VideoReader>(
       (std::string(basename()) + "_video_reader").c_str(), video_, frame_memory_.parameters(),

@@ -92,6 +92,10 @@ class CcettMachine : public sc_core::sc_module {
     frame_memory_.observe(std::move(observer));
   }
 
+  /// What each pixel took is shown to `observer` when it is written, in the order of each board.
+  /// Before the simulation starts.
+  void observe_pixels(const PixelObserver& observer);
+
   [[nodiscard]] const Kvm02& board(std::size_t number) const { return *boards_[number]; }
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }

@@ -6,6 +6,7 @@
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/database/scene_report.hpp"
+#include "sim/maps/map_table.hpp"
 #include "sim/report/statistics_description.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 
@@ -16,11 +17,16 @@ namespace {
 struct DescribeOptions {
   CommonOptions common;
   bool statistics = false;
+  bool maps = false;
 };
 
 void describe(const DescribeOptions& options) {
   if (options.statistics) {
     fmt::print("{}\n", describe_statistics());
+    return;
+  }
+  if (options.maps) {
+    fmt::print("{}", describe_maps());
     return;
   }
   const std::string file =
@@ -49,12 +55,14 @@ void add_describe_command(CLI::App& program) {
   add_common_options(verb, options->common);
   CLI::Option* statistics =
       verb.add_flag("--statistics", options->statistics, "explain the keys of stats.json instead");
+  verb.add_flag("--maps", options->maps, "list the maps of a run (`run --map`) instead")
+      ->excludes(statistics);
   verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE");
   add_footer(verb, {},
              {"maquette describe photo4", "maquette describe ccett-1984",
               "maquette describe --statistics"});
   verb.callback([options, statistics, &verb] {
-    if (!*statistics && options->common.scene.empty()) {
+    if (!*statistics && !options->maps && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());
     }
     describe(*options);

@@ -21,6 +21,7 @@ void refuse_of_one_frame(const RunOptions& options) {
       {!options.record.empty() || options.processor == "recorded", "--record"},
       {!options.snapshots.empty(), "--snapshot"},
       {!options.shown_snapshots.empty(), "--snapshot-shown"},
+      {!options.maps.empty(), "--map"},
       {!options.dumped_boards.empty(), "--dump-ram"},
       {!options.trace.files.empty() || !options.trace.lines.empty(), "--trace"}};
   for (const auto& [is_given, option] : of_one) {

@@ -19,6 +19,7 @@
 #include "sim/command_line/ram_dump.hpp"
 #include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
+#include "sim/maps/map_files.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/report/output_check.hpp"
 #include "sim/report/progress.hpp"
@@ -147,6 +148,14 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options) {
   return outputs;
 }
 
+void check_facts(const SimulationRequest& request) {
+  if (request.facts.counted && !request.executed) {
+    throw DescriptionError(
+        "--map count_error holds counted pixels against executed ones; --processor instruction is "
+        "allowed with it");
+  }
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -174,6 +183,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (request.executed) {
     require_execution(description.machine);
   }
+  const std::vector<Map> maps = maps_named(options.maps);
+  request.facts = facts_of(maps);
+  check_facts(request);
   request.dumped_boards =
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
@@ -207,6 +219,9 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
+  for (NamedContent& file : map_files(maps, result.facts, description.scene.name)) {
+    files.push_back(std::move(file));
+  }
   add_ram_files(request.dumped_boards, result, files);
   const models::Instant frame_end = result.statistics.frame.time;
   remark(trace_files.remarks(result.trace, frame_end));

@@ -37,6 +37,12 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
       ->type_name("TIME")
       ->expected(1)
       ->take_all();
+  verb.add_option("--map", options.maps,
+                  "write a map of the pixels, e.g. time, board, rays, surface, as map-NAME.png and "
+                  "in maps.exr; `maquette describe --maps` lists them (repeatable)")
+      ->type_name("NAME")
+      ->expected(1)
+      ->take_all();
   verb.add_option(
           "--dump-ram", options.dumped_boards,
           "write the RAM of this board as it is at the end, ram-BOARD.bin, and where things "

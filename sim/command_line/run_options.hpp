@@ -22,6 +22,7 @@ struct RunOptions {
   int threads = 0;
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
+  std::vector<std::string> maps;
   std::vector<int> dumped_boards;
   TraceOptions trace;
   int frame = -1;  ///< of a sequence; all

@@ -23,6 +23,8 @@ OIIO::TypeDesc type_of(ExrStorage storage) {
   switch (storage) {
     case ExrStorage::code:
       return OIIO::TypeDesc::HALF;
+    case ExrStorage::real:
+      return OIIO::TypeDesc::FLOAT;
     case ExrStorage::count:
       break;
   }
@@ -67,6 +69,7 @@ void put(const ExrChannel& channel, std::size_t pixel, char* place) {
       break;
     }
     case ExrStorage::count:
+    case ExrStorage::real:
       std::memcpy(place, &channel.values[pixel], sizeof channel.values[pixel]);
       break;
   }
@@ -81,6 +84,7 @@ void take(ExrChannel& channel, std::size_t pixel, const char* place) {
       break;
     }
     case ExrStorage::count:
+    case ExrStorage::real:
       std::memcpy(&channel.values[pixel], place, sizeof channel.values[pixel]);
       break;
   }

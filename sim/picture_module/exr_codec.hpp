@@ -9,8 +9,9 @@ namespace maquette::sim {
 
 /// How the values of a channel are stored.
 enum class ExrStorage {
-  code,  ///< whole numbers 0..255 of a picture, stored as halves of code / 255
-  count  ///< 32-bit whole numbers
+  code,   ///< whole numbers 0..255 of a picture, stored as halves of code / 255
+  count,  ///< 32-bit whole numbers
+  real    ///< 32-bit floating point numbers, whose bits are the values
 };
 
 /// One channel: a value per pixel of the data window, rows from the top.

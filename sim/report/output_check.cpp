@@ -29,7 +29,8 @@ bool is_result(const fs::path& name) {
   const auto begins = [&text](const char* start) { return text.rfind(start, 0) == 0; };
   return text == "stats.json" || text == "config.yaml" || text == "manifest.json" ||
          text == "sequence.json" || text == "depth.png" || text == "frame.png" ||
-         text == "ram.map" || begins("frame-") || begins("snapshot-") || begins("ram-");
+         text == "ram.map" || begins("frame-") || begins("snapshot-") || begins("ram-") ||
+         begins("map-") || text == "maps.exr";
 }
 
 }  // namespace

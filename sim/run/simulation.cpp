@@ -18,10 +18,12 @@
 #include "sim/database/symbol_map.hpp"
 #include "sim/run/board_programs.hpp"
 #include "sim/run/bus_recorder.hpp"
+#include "sim/run/fact_synthesis.hpp"
 #include "sim/run/frame_pixels.hpp"
 #include "sim/run/frame_statistics.hpp"
 #include "sim/run/function_times.hpp"
 #include "sim/run/line_recorder.hpp"
+#include "sim/run/pixel_watch.hpp"
 #include "sim/run/time_forecast.hpp"
 #include "sim/run/video_recorder.hpp"
 #include "sim/yaml/description_error.hpp"
@@ -163,6 +165,30 @@ void add_functions(const models::CcettMachine& model, const Machine& machine,
   statistics.functions = function_statistics(model.statistics(), machine, work);
 }
 
+void start_facts(const Machine& machine, const models::PixelRectangle& zone, PixelFacts& facts) {
+  facts.width = machine.parameters.frame_memory.width;
+  facts.height = machine.parameters.frame_memory.height;
+  facts.zone = zone;
+  for (std::size_t board = 0; board < machine.parameters.boards.size(); ++board) {
+    facts.boards.push_back(fmt::format("board{}", board));
+  }
+}
+
+/// What the facts of pixels take besides the run; none of a frame that was interrupted.
+void complete_facts(const Scene& scene, const Machine& machine, const SimulationRequest& request,
+                    SimulationResult& result) {
+  const WantedFacts& wanted = request.facts;
+  if (result.statistics.partial) {
+    result.facts = {};
+    return;
+  }
+  const bool is_priced = wanted.functions || wanted.counted;
+  const Machine priced = request.executed && is_priced && is_calibrated(machine)
+                             ? with_costs(machine, calibrate(scene, machine))
+                             : machine;
+  synthesise_facts(scene, priced, request.record, wanted, request.threads, result.facts);
+}
+
 SimulationResult simulate_prepared(const Machine& machine, const SimulationRequest& request,
                                    FrameSource& source, const models::FrameSetup& setup,
                                    const Continue& go_on) {
@@ -177,6 +203,12 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
   }
   if (request.video) {
     watch_video(model, *request.video, request.lines, result.trace);
+  }
+  if (request.facts.any()) {
+    start_facts(machine, setup.useful_zone, result.facts);
+  }
+  if (request.facts.times) {
+    watch_pixels(model, result.facts);
   }
   run_kernel(model, setup.useful_zone, go_on);
   if (model.finished()) {
@@ -198,6 +230,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
     }
   }
   take_snapshots(model, request, result);
+  if (request.facts.times && model.finished()) {
+    tell_instants(model, result.facts);
+  }
   for (const int board : request.dumped_boards) {
     result.rams.push_back(model.board(static_cast<std::size_t>(board)).ram());
   }
@@ -253,9 +288,13 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
     set_images(packed_scene<float>(*request.held, picture_format_of(machine)), roomy, before);
     load_changes(before, roomy, setup);
   }
-  setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty();
+  setup.keep_log =
+      !request.snapshots.empty() || !request.shown_snapshots.empty() || request.facts.times;
   require_transfer_time(priced, setup);
   SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);
+  if (request.facts.any()) {
+    complete_facts(scene, priced, request, result);
+  }
   result.statistics.costs = cost_statistics(priced, request.executed, calibration);
   result.times_from =
       calibration ? times_from(*calibration) : times_from(machine, request.executed);

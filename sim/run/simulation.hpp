@@ -8,6 +8,7 @@
 #include "models/display/depth_map.hpp"
 #include "models/display/picture.hpp"
 #include "sim/machine/machine.hpp"
+#include "sim/maps/pixel_facts.hpp"
 #include "sim/record/recorded_frame.hpp"
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
@@ -30,6 +31,7 @@ struct SimulationRequest {
   std::vector<models::Duration> snapshots;        ///< of the frame memory, from the frame's start
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
   std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
+  WantedFacts facts;                              ///< of pixels, for maps
   LineTrace* lines = nullptr;                     ///< shows the backplanes' lines, if given
   std::optional<TraceWindow> video;               ///< in which the video reader is looked at
 };
@@ -47,6 +49,7 @@ struct SimulationResult {
   std::vector<models::Picture> shown_snapshots;
   std::vector<std::vector<unsigned char>> rams;  ///< of the dumped boards, at the end
   std::string symbols;                           ///< where things are in them, if there are any
+  PixelFacts facts;                              ///< what was asked for, of a finished frame
   BusRecord trace;                               ///< of the window, when one was asked for
 };
 
