@@ -23,6 +23,7 @@ void refuse_of_one_frame(const RunOptions& options) {
       {!options.shown_snapshots.empty(), "--snapshot-shown"},
       {!options.maps.empty(), "--map"},
       {!options.dumped_boards.empty(), "--dump-ram"},
+      {options.report, "--report"},
       {!options.trace.files.empty() || !options.trace.lines.empty(), "--trace"}};
   for (const auto& [is_given, option] : of_one) {
     if (is_given) {

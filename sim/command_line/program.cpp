@@ -3,6 +3,7 @@
 #include "sim/command_line/accuracy_command.hpp"
 #include "sim/command_line/compare_command.hpp"
 #include "sim/command_line/describe_command.hpp"
+#include "sim/command_line/report_command.hpp"
 #include "sim/command_line/run_command.hpp"
 #include "sim/command_line/stability_command.hpp"
 #include "sim/command_line/sweep_command.hpp"
@@ -24,6 +25,7 @@ std::unique_ptr<CLI::App> declare_program(const std::vector<std::string>& comman
   add_sweep_commands(*program, command, exit_code);
   add_accuracy_command(*program, command, exit_code);
   add_compare_command(*program, exit_code);
+  add_report_command(*program);
   add_stability_command(*program, command, exit_code);
   return program;
 }

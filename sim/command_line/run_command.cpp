@@ -20,6 +20,7 @@
 #include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/maps/map_files.hpp"
+#include "sim/page/run_page.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/report/output_check.hpp"
 #include "sim/report/progress.hpp"
@@ -134,7 +135,8 @@ std::string paper_time_of(const Scene& scene) {
              : "";
 }
 
-std::vector<RequestedOutput> outputs_of(const RunOptions& options) {
+std::vector<RequestedOutput> outputs_of(const RunOptions& options,
+                                        const std::filesystem::path& directory) {
   std::vector<RequestedOutput> outputs;
   if (!options.record.empty() && options.processor != "recorded") {
     outputs.push_back({"--record", options.record});
@@ -144,6 +146,9 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options) {
   }
   if (!options.trace.lines.empty()) {
     outputs.push_back({"--trace-lines", options.trace.lines});
+  }
+  if (options.report) {
+    outputs.push_back({"--report", directory / k_page_name});
   }
   return outputs;
 }
@@ -190,7 +195,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory = run_directory_of(options, description);
-  check_outputs(outputs_of(options), description.input_files, directory);
+  check_outputs(outputs_of(options, directory), description.input_files, directory);
   ResultDirectory results(directory);
   TraceFiles trace_files(std::move(trace));
   request.lines = trace_files.lines();
@@ -226,6 +231,12 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   const models::Instant frame_end = result.statistics.frame.time;
   remark(trace_files.remarks(result.trace, frame_end));
   trace_files.write(result.trace, frame_end);
+  if (options.report) {
+    const std::string manifest =
+        manifest_json(manifest_of(command, description.input_files, host_time_s()));
+    files.push_back({k_page_name,
+                     run_page(shown_files(directory.string(), files, manifest), data_directory())});
+  }
   write_files(results.workplace(), files);
   results.publish(manifest_of(command, description.input_files, host_time_s()));
   if (!options.quiet) {

@@ -69,6 +69,8 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
   verb.add_option("--trace-boards", options.trace.boards,
                   "give only these boards tracks of their own, e.g. 0,2..3")
       ->type_name("LIST");
+  verb.add_flag("--report", options.report,
+                "write report.html, a page for a browser that shows all results");
   verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
 }
 

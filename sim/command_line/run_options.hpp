@@ -26,6 +26,7 @@ struct RunOptions {
   std::vector<int> dumped_boards;
   TraceOptions trace;
   int frame = -1;  ///< of a sequence; all
+  bool report = false;
   bool quiet = false;
 };
 

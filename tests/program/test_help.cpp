@@ -8,7 +8,7 @@ TEST_CASE("the help lists every command, and each explains itself") {
   const Outcome help = run_maquette("--help");
   CHECK(help.exit_code == 0);
   for (const std::string command :
-       {"run", "describe", "sweep", "merge", "accuracy", "compare", "stability"}) {
+       {"run", "describe", "sweep", "merge", "accuracy", "compare", "stability", "report"}) {
     INFO(command);
     CHECK_THAT(help.output, ContainsSubstring("\n  " + command + " "));
     const Outcome own = run_maquette(command + " --help");

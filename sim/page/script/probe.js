@@ -1,0 +1,111 @@
+// A pixel of the picture, pointed at or reached by arrow keys: where it is and what is known of it.
+
+const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const fastStep = 16;
+
+// Where a key leads from a pixel, within the picture; the same pixel for other keys.
+export function moved(pixel, key, isFast, size) {
+  const [x, y] = steps[key] ?? [0, 0];
+  const step = isFast ? fastStep : 1;
+  const within = (value, count) => Math.min(Math.max(value, 0), count - 1);
+  return { x: within(pixel.x + step * x, size.width), y: within(pixel.y + step * y, size.height) };
+}
+
+export function isIn(zone, pixel) {
+  return pixel.x >= zone.column && pixel.x < zone.column + zone.width &&
+         pixel.y >= zone.row && pixel.y < zone.row + zone.height;
+}
+
+// The colour of a pixel in the bytes of a picture: red, green, blue, alpha in turn.
+export function colourAt(bytes, width, pixel) {
+  const place = 4 * (pixel.y * width + pixel.x);
+  return { red: bytes[place], green: bytes[place + 1], blue: bytes[place + 2] };
+}
+
+// What the probe says of a pixel.
+export function reading(data, bytes, pixel) {
+  const colour = colourAt(bytes, data.width, pixel);
+  const hex = [colour.red, colour.green, colour.blue]
+    .map((value) => value.toString(16).padStart(2, "0")).join("");
+  return [
+    ["Pixel", `column ${pixel.x}, row ${pixel.y}`],
+    ["Colour", `red ${colour.red}, green ${colour.green}, blue ${colour.blue} (#${hex})`],
+    ["Useful zone", isIn(data.zone, pixel) ? "within: a board synthesised it" : "outside: background"],
+  ];
+}
+
+// The bytes of a picture of the page, which is drawn once where nobody sees it.
+async function bytesOf(image, document) {
+  await image.decode();
+  const canvas = document.createElement("canvas");
+  canvas.width = image.naturalWidth;
+  canvas.height = image.naturalHeight;
+  const pen = canvas.getContext("2d", { willReadFrequently: true });
+  pen.drawImage(image, 0, 0);
+  return pen.getImageData(0, 0, canvas.width, canvas.height).data;
+}
+
+function cross(canvas, pixel) {
+  const pen = canvas.getContext("2d");
+  pen.clearRect(0, 0, canvas.width, canvas.height);
+  for (const [colour, width] of [["#000000", 3], ["#ffffff", 1]]) {
+    pen.strokeStyle = colour;
+    pen.lineWidth = width;
+    pen.strokeRect(pixel.x - 5.5, pixel.y - 5.5, 12, 12);
+  }
+}
+
+function show(list, rows, document) {
+  list.replaceChildren(...rows.flatMap(([term, meaning]) => {
+    const [name, value] = [document.createElement("dt"), document.createElement("dd")];
+    name.textContent = term;
+    value.textContent = meaning;
+    return [name, value];
+  }));
+}
+
+function addMarker(figure, data, document) {
+  const marker = document.createElement("canvas");
+  marker.width = data.width;
+  marker.height = data.height;
+  marker.tabIndex = 0;
+  marker.setAttribute("role", "application");
+  marker.setAttribute("aria-label", "Probe of the picture: arrow keys move it, with shift by 16 pixels");
+  figure.querySelector(".screen").append(marker);
+  return marker;
+}
+
+function addReading(figure, document) {
+  const list = document.createElement("dl");
+  list.id = "probe-reading";
+  list.setAttribute("aria-live", "polite");
+  figure.append(list);
+  return list;
+}
+
+export async function startProbe(document) {
+  const figure = document.getElementById("probe");
+  if (figure === null) return;
+  const data = JSON.parse(document.getElementById("probe-data").textContent);
+  const bytes = await bytesOf(figure.querySelector("img"), document);
+  const marker = addMarker(figure, data, document);
+  const list = addReading(figure, document);
+  let pixel = { x: Math.floor(data.zone.column + data.zone.width / 2),
+                y: Math.floor(data.zone.row + data.zone.height / 2) };
+  const probe = (next) => {
+    pixel = next;
+    cross(marker, pixel);
+    show(list, reading(data, bytes, pixel), document);
+  };
+  marker.addEventListener("keydown", (event) => {
+    if (!(event.key in steps)) return;
+    event.preventDefault();
+    probe(moved(pixel, event.key, event.shiftKey, data));
+  });
+  marker.addEventListener("pointermove", (event) => {
+    const frame = marker.getBoundingClientRect();
+    probe(moved({ x: Math.floor((event.clientX - frame.left) * data.width / frame.width),
+                  y: Math.floor((event.clientY - frame.top) * data.height / frame.height) }, "", false, data));
+  });
+  probe(moved(pixel, "", false, data));
+}
