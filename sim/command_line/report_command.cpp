@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/page/result_page.hpp"
 #include "sim/page/run_page.hpp"
 #include "sim/report/output_check.hpp"
 #include "sim/report/output_file.hpp"
@@ -16,27 +18,32 @@ namespace maquette::sim {
 namespace {
 
 struct ReportOptions {
-  std::string directory;
+  std::vector<std::string> directories;
   std::string output;
   bool quiet = false;
 };
 
 /// Refuses to write the page over what it is made of.
-void check_output(const std::string& output, const RunFiles& run) {
-  std::vector<InputFile> inputs;
-  for (const NamedContent& file : run.files) {
-    inputs.push_back({(std::filesystem::path(run.directory) / file.name).string(), {}});
+void check_output(const std::string& output, const std::vector<std::string>& directories) {
+  for (const std::string& directory : directories) {
+    std::vector<InputFile> inputs;
+    for (const char* name :
+         {"stats.json", "config.yaml", "frame.png", "manifest.json", "maps.exr", "table.csv",
+          "study.yaml", "accuracy.csv", "host_times.csv", "stability.json"}) {
+      inputs.push_back({(std::filesystem::path(directory) / name).string(), {}});
+    }
+    check_outputs({{"--output", output}}, inputs, directory);
   }
-  check_outputs({{"--output", output}}, inputs, run.directory);
 }
 
 void report(const ReportOptions& options) {
-  const RunFiles run = read_run_files(options.directory);
-  const std::string output = options.output.empty()
-                                 ? (std::filesystem::path(options.directory) / k_page_name).string()
-                                 : options.output;
-  check_output(output, run);
-  const std::string page = run_page(run, data_directory());
+  const std::filesystem::path first = options.directories.front();
+  const std::string output = !options.output.empty()          ? options.output
+                             : options.directories.size() > 1 ? (first / "comparison.html").string()
+                                                              : (first / k_page_name).string();
+  check_output(output, options.directories);
+  const std::string page =
+      result_page({options.directories.begin(), options.directories.end()}, data_directory());
   OutputFile file(output);
   file.stream() << page;
   file.publish();
@@ -51,13 +58,17 @@ void add_report_command(CLI::App& program) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App& verb = *program.add_subcommand(
       "report", "a page for a browser, one file: picture, times, bus, machine, configuration");
-  verb.add_option("DIR", options->directory, "directory of results, as `maquette run` writes it")
+  verb.add_option("DIR", options->directories,
+                  "directory of results of run, sweep, accuracy or stability; several runs are "
+                  "compared with the first")
       ->required()
       ->type_name("DIR");
-  verb.add_option("--output", options->output, "the page (default: report.html in DIR)")
+  verb.add_option(
+          "--output", options->output,
+          "the page (default: report.html in DIR, or comparison.html in the first of several)")
       ->type_name("FILE");
   verb.add_flag("--quiet", options->quiet, "say nothing");
-  add_footer(verb, {}, {"maquette report runs/photo4"});
+  add_footer(verb, {}, {"maquette report runs/photo4", "maquette report runs/photo4 runs/eight"});
   verb.callback([options] { report(*options); });
 }
 

@@ -20,6 +20,7 @@
 #include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/maps/map_files.hpp"
+#include "sim/page/layers.hpp"
 #include "sim/page/run_page.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/report/output_check.hpp"
@@ -153,6 +154,15 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options,
   return outputs;
 }
 
+/// The maps that are asked for, and those that a page shows.
+std::vector<Map> maps_of(const RunOptions& options) {
+  std::vector<std::string> names = options.maps;
+  if (options.report) {
+    names.insert(names.end(), page_maps().begin(), page_maps().end());
+  }
+  return maps_named(names);
+}
+
 void check_facts(const SimulationRequest& request) {
   if (request.facts.counted && !request.executed) {
     throw DescriptionError(
@@ -188,7 +198,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   if (request.executed) {
     require_execution(description.machine);
   }
-  const std::vector<Map> maps = maps_named(options.maps);
+  const std::vector<Map> maps = maps_of(options);
   request.facts = facts_of(maps);
   check_facts(request);
   request.dumped_boards =
@@ -224,7 +234,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   }
   add_pictures("snapshot", request.snapshots, result.snapshots, files);
   add_pictures("snapshot-shown", request.shown_snapshots, result.shown_snapshots, files);
-  for (NamedContent& file : map_files(maps, result.facts, description.scene.name)) {
+  for (NamedContent& file :
+       map_files(maps, maps_named(options.maps), result.facts, description.scene.name)) {
     files.push_back(std::move(file));
   }
   add_ram_files(request.dumped_boards, result, files);

@@ -46,6 +46,8 @@ std::string encode_maps(const std::vector<Map>& maps, const PixelFacts& facts) {
   image.data_width = facts.zone.width;
   image.data_height = facts.zone.height;
   for (const Map& map : maps) {
+    std::string& listed = image.attributes[k_maps_attribute];
+    listed += (listed.empty() ? "" : ", ") + map.name;
     image.channels.push_back(channel_of(map, facts));
     image.attributes["unit." + map.name] = map.unit;
     image.attributes["title." + map.name] = map.title;
@@ -60,14 +62,14 @@ std::string encode_maps(const std::vector<Map>& maps, const PixelFacts& facts) {
   return bytes;
 }
 
-std::vector<NamedContent> map_files(const std::vector<Map>& maps, const PixelFacts& facts,
-                                    const std::string& scene) {
+std::vector<NamedContent> map_files(const std::vector<Map>& maps, const std::vector<Map>& drawn,
+                                    const PixelFacts& facts, const std::string& scene) {
   std::vector<NamedContent> files;
   if (maps.empty() || facts.zone.pixels() == 0) {
     return files;
   }
   files.push_back({"maps.exr", encode_maps(maps, facts)});
-  for (const Map& map : maps) {
+  for (const Map& map : drawn) {
     files.push_back({"map-" + map.name + ".png", map_picture(map, facts, scene)});
   }
   return files;

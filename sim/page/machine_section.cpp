@@ -11,7 +11,7 @@
 namespace maquette::sim {
 namespace {
 
-constexpr double k_box_width = 178;
+constexpr double k_box_width = 225;
 constexpr double k_gap = 14;
 constexpr std::size_t k_boards_in_row = 4;
 constexpr std::size_t k_most_boards = 8;

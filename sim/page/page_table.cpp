@@ -44,7 +44,9 @@ Html body_of(const PageTable& table) {
 
 Html table_element(const PageTable& table) {
   const Html whole =
-      element("table", {{"class", table.is_long ? "sortable filterable" : "sortable"}},
+      element("table",
+              {{"class", std::string("sortable") + (table.is_long ? " filterable" : "") +
+                             (table.is_plotted ? " plotted" : "")}},
               element("caption", table.caption) + head_of(table) + body_of(table));
   return element(
       "div",

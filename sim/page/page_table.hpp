@@ -18,7 +18,8 @@ struct PageTable {
   std::string caption;
   std::vector<PageColumn> columns;
   std::vector<std::vector<std::string>> rows;
-  bool is_long = false;  ///< can be filtered, where scripts run
+  bool is_long = false;     ///< can be filtered, where scripts run
+  bool is_plotted = false;  ///< columns can be plotted over each other there
   /// Of each cell behind the first of its row, how deep its ground is coloured: 0 to 1. May be
   /// empty.
   std::vector<std::vector<double>> shades = {};

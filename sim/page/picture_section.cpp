@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "sim/page/data_url.hpp"
+#include "sim/page/layers.hpp"
 #include "sim/page/page_table.hpp"
 #include "sim/page/run_sections.hpp"
 
@@ -21,7 +22,7 @@ std::string data_of(const RunResults& results) {
                        {"row", zone.row},
                        {"width", zone.width},
                        {"height", zone.height}}},
-                     {"layers", Json::array()}};
+                     {"layers", layers_of(results.maps)}};
   return json.dump();
 }
 

@@ -16,8 +16,8 @@ namespace {
 
 /// Whether a page shows what this file of a run directory holds.
 bool is_shown(std::string_view name) {
-  constexpr std::array<std::string_view, 4> k_names{"stats.json", "config.yaml", "frame.png",
-                                                    "manifest.json"};
+  constexpr std::array<std::string_view, 5> k_names{"stats.json", "config.yaml", "frame.png",
+                                                    "manifest.json", "maps.exr"};
   constexpr std::string_view k_snapshot = "snapshot-";
   return std::find(k_names.begin(), k_names.end(), name) != k_names.end() ||
          name.substr(0, k_snapshot.size()) == k_snapshot;

@@ -50,6 +50,9 @@ RunResults run_results(const RunFiles& files, const std::string& data_directory)
       results.snapshots.push_back(file);
     }
   }
+  if (const NamedContent* maps = files.find("maps.exr")) {
+    results.maps = decode_maps(maps->content, path_of("maps.exr"));
+  }
   return results;
 }
 

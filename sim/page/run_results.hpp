@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/maps/map_reading.hpp"
 #include "sim/page/provenance.hpp"
 #include "sim/page/run_files.hpp"
 #include "sim/report/statistics.hpp"
@@ -19,6 +20,7 @@ struct RunResults {
   Provenance provenance;
   std::string frame_png;
   std::vector<NamedContent> snapshots;  ///< PNG files
+  ReadMaps maps;                        ///< of the pixels; none where the run wrote none
 };
 
 /// Reads the results of a run; `data_directory` holds the shipped machine. Throws DescriptionError,

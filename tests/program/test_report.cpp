@@ -4,6 +4,9 @@
 #include <regex>
 #include <vector>
 
+#include "sim/maps/map_reading.hpp"
+#include "sim/page/csv.hpp"
+#include "sim/page/html.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
 #include "sim/report/summary.hpp"
@@ -159,6 +162,90 @@ TEST_CASE("What differs from the prototype is told") {
       read_by_people(report_of(run_small(scratch, "run", "--set board.clock=16MHz")));
   CHECK_THAT(page, ContainsSubstring("What differs from the prototype"));
   CHECK(std::regex_search(page, std::regex("board\\.clock\\s+8 MHz\\s+16 MHz")));
+}
+
+TEST_CASE("Maps of the pixels are layers of the picture, with the values of the file of maps") {
+  const ScratchDirectory scratch;
+  const auto directory = run_small(scratch, "run", "--report --set processors=2");
+  const auto read = decode_maps(content_of(directory / "maps.exr"), "maps.exr");
+  const nlohmann::json data = data_of(content_of(directory / "report.html"), "probe-data");
+  std::vector<std::string> layers;
+  for (const nlohmann::json& layer : data["layers"]) {
+    layers.push_back(layer["name"]);
+    const auto map =
+        std::find_if(read.maps.begin(), read.maps.end(),
+                     [&layer](const ReadMap& held) { return held.map->name == layer["name"]; });
+    REQUIRE(map != read.maps.end());
+    double high = 0;
+    for (const double value : map->values) {
+      high = std::isnan(value) ? high : std::max(high, value);
+    }
+    CHECK(layer["high"].get<double>() == high);
+  }
+  for (const char* name : {"time", "wait", "written", "board", "rays", "surface", "distance"}) {
+    INFO(name);
+    CHECK(std::find(layers.begin(), layers.end(), name) != layers.end());
+  }
+  CHECK(data["zone"]["width"] == read.zone.width);
+}
+
+TEST_CASE("Several runs stand side by side with what differs") {
+  const ScratchDirectory scratch;
+  const auto first = run_small(scratch, "first");
+  const auto second = run_small(scratch, "second", "--set processors=2");
+  const auto third = run_small(scratch, "third", "--set frame_memory.red=4bits");
+  const std::string output = (scratch / "page.html").string();
+  const Outcome outcome = run_maquette("report --output " + output + " " + first.string() + " " +
+                                       second.string() + " " + third.string());
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const std::string page = content_of(output);
+  CHECK(ill_formed(page).empty());
+  const std::string shown = read_by_people(page);
+  CHECK(std::regex_search(shown, std::regex("processors\\s+4\\s+2 \\(-50 %\\)\\s+4\\s")));
+  CHECK_THAT(shown, ContainsSubstring("second against first: the pictures are equal."));
+  CHECK(std::regex_search(shown, std::regex("third against first: [0-9]+ pixels differ")));
+  CHECK(run_maquette("report " + first.string() + " " + scratch.path().string()).exit_code == 2);
+}
+
+TEST_CASE("A sweep's page has every cell of its table") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const std::string directory = (scratch / "sweep").string();
+  const Outcome sweep = run_maquette("sweep " + scene + k_small_frame +
+                                     "--vary processors=1,2 --quiet --outdir " + directory);
+  INFO(sweep.errors);
+  REQUIRE(sweep.exit_code == 0);
+  const std::string page = report_of(directory);
+  CHECK(ill_formed(page).empty());
+  const auto lines = parse_csv(content_of(scratch / "sweep" / "table.csv"), "table.csv");
+  REQUIRE(lines.size() == 3);
+  for (const auto& line : lines) {
+    for (const std::string& cell : line) {
+      CHECK_THAT(page, ContainsSubstring(">" + text(cell).markup + "<"));
+    }
+  }
+  std::ofstream(scratch / "sweep" / "table.csv") << "a,b\n1\n";
+  const Outcome damaged = run_maquette("report " + directory);
+  CHECK(damaged.exit_code == 2);
+  CHECK_THAT(damaged.errors, ContainsSubstring("table.csv:2:1:"));
+}
+
+TEST_CASE("The page of a stability has the nearest bounds first") {
+  const ScratchDirectory scratch;
+  const auto row = [](const char* group, const char* value, const char* bound, const char* holds) {
+    return std::string("{\"scalar\": \"float\", \"group\": \"") + group +
+           "\", \"case\": \"c\", \"counted\": \"n\", \"value\": " + value +
+           ", \"bound\": " + bound + ", \"holds\": " + holds + "}";
+  };
+  (void)scratch.file("stability.json", "{\"rows\": [" + row("far", "1", "10", "true") + "," +
+                                           row("told", "1", "null", "true") + "," +
+                                           row("broken", "11", "10", "false") + "," +
+                                           row("near", "9", "10", "true") + "]}");
+  const std::string shown = read_by_people(report_of(scratch.path()));
+  CHECK(std::regex_search(shown, std::regex("broken[^<]*BROKEN\\s+near[^<]*holds\\s+far")));
+  (void)scratch.file("stability.json", "{\"rows\": [3]}");
+  CHECK(run_maquette("report " + scratch.path().string()).exit_code == 2);
 }
 
 TEST_CASE("What is no whole run directory is refused, and nothing is written") {

@@ -1,4 +1,5 @@
 // A pixel of the picture, pointed at or reached by arrow keys: where it is and what is known of it.
+import { addLayers, bytesOf, readLayers, toldValue, valueAt } from "#layers";
 
 const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const fastStep = 16;
@@ -22,27 +23,20 @@ export function colourAt(bytes, width, pixel) {
   return { red: bytes[place], green: bytes[place + 1], blue: bytes[place + 2] };
 }
 
-// What the probe says of a pixel.
-export function reading(data, bytes, pixel) {
+// What the probe says of a pixel, of all layers as well where it is in the useful zone.
+export function reading(data, bytes, layers, pixel) {
   const colour = colourAt(bytes, data.width, pixel);
   const hex = [colour.red, colour.green, colour.blue]
     .map((value) => value.toString(16).padStart(2, "0")).join("");
+  const place = (pixel.y - data.zone.row) * data.zone.width + pixel.x - data.zone.column;
+  const known = isIn(data.zone, pixel)
+    ? layers.map((layer) => [layer.title, toldValue(layer, valueAt(layer, place))]) : [];
   return [
     ["Pixel", `column ${pixel.x}, row ${pixel.y}`],
     ["Colour", `red ${colour.red}, green ${colour.green}, blue ${colour.blue} (#${hex})`],
     ["Useful zone", isIn(data.zone, pixel) ? "within: a board synthesised it" : "outside: background"],
+    ...known,
   ];
-}
-
-// The bytes of a picture of the page, which is drawn once where nobody sees it.
-async function bytesOf(image, document) {
-  await image.decode();
-  const canvas = document.createElement("canvas");
-  canvas.width = image.naturalWidth;
-  canvas.height = image.naturalHeight;
-  const pen = canvas.getContext("2d", { willReadFrequently: true });
-  pen.drawImage(image, 0, 0);
-  return pen.getImageData(0, 0, canvas.width, canvas.height).data;
 }
 
 function cross(canvas, pixel) {
@@ -88,6 +82,8 @@ export async function startProbe(document) {
   if (figure === null) return;
   const data = JSON.parse(document.getElementById("probe-data").textContent);
   const bytes = await bytesOf(figure.querySelector("img"), document);
+  const layers = await readLayers(data.layers, document);
+  addLayers(figure, data, layers, document);
   const marker = addMarker(figure, data, document);
   const list = addReading(figure, document);
   let pixel = { x: Math.floor(data.zone.column + data.zone.width / 2),
@@ -95,7 +91,7 @@ export async function startProbe(document) {
   const probe = (next) => {
     pixel = next;
     cross(marker, pixel);
-    show(list, reading(data, bytes, pixel), document);
+    show(list, reading(data, bytes, layers, pixel), document);
   };
   marker.addEventListener("keydown", (event) => {
     if (!(event.key in steps)) return;

@@ -76,6 +76,7 @@ function addFilter(table, document) {
   label.append("Rows with ", input);
   input.addEventListener("input", () => {
     for (const row of table.tBodies[0].rows) row.hidden = !matches(textsOf(row), headings, input.value);
+    table.dispatchEvent(new document.defaultView.Event("filtered"));
   });
   table.parentElement.before(label);
 }

@@ -4,8 +4,11 @@
 #include <cstring>
 #include <random>
 
+#include "sim/maps/map_picture.hpp"
+#include "sim/maps/map_reading.hpp"
 #include "sim/picture/picture_module.hpp"
 #include "sim/picture_module/exr_codec.hpp"
+#include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
 
 namespace maquette::sim {
@@ -35,6 +38,32 @@ float real_of(std::uint32_t bits) {
   float value = 0;
   std::memcpy(&value, &bits, sizeof value);
   return value;
+}
+
+TEST_CASE("Reading a file of maps gives each of them with its zone and its names") {
+  std::mt19937 random(12);
+  const PixelFacts facts = random_facts(random);
+  const std::vector<Map> maps = maps_named({"board", "rays.refracted", "time"});
+  const ReadMaps read = decode_maps(encode_maps(maps, facts), "maps.exr");
+  CHECK(read.zone.column0 == facts.zone.column0);
+  CHECK(read.zone.row0 == facts.zone.row0);
+  CHECK(read.zone.width == facts.zone.width);
+  CHECK(read.zone.height == facts.zone.height);
+  REQUIRE(read.maps.size() == maps.size());
+  for (std::size_t i = 0; i < maps.size(); ++i) {
+    CHECK(read.maps[i].map->name == maps[i].name);
+    const std::vector<double> told = told_values(maps[i], facts);
+    REQUIRE(read.maps[i].values.size() == told.size());
+    for (std::size_t pixel = 0; pixel < told.size(); ++pixel) {
+      const double kept = maps[i].kind == MapKind::count
+                              ? told[pixel]
+                              : static_cast<double>(static_cast<float>(told[pixel]));
+      CHECK((std::isnan(kept) ? std::isnan(read.maps[i].values[pixel])
+                              : read.maps[i].values[pixel] == kept));
+    }
+    CHECK(read.maps[i].names == (maps[i].name == "board" ? "board0, board1" : ""));
+  }
+  CHECK_THROWS_AS(decode_maps("no maps", "maps.exr"), DescriptionError);
 }
 
 TEST_CASE("Maps read again are the values that were told, with units and titles") {
@@ -79,14 +108,14 @@ TEST_CASE("Files of maps are named for them; without maps or pixels there are no
   std::mt19937 random(12);
   PixelFacts facts = random_facts(random);
   const std::vector<Map> maps = maps_named({"time", "rays.refracted"});
-  const std::vector<NamedContent> files = map_files(maps, facts, "scene");
+  const std::vector<NamedContent> files = map_files(maps, maps, facts, "scene");
   REQUIRE(files.size() == 3);
   CHECK(files[0].name == "maps.exr");
   CHECK(files[1].name == "map-time.png");
   CHECK(files[2].name == "map-rays.refracted.png");
-  CHECK(map_files({}, facts, "scene").empty());
+  CHECK(map_files({}, {}, facts, "scene").empty());
   facts.zone = {};
-  CHECK(map_files(maps, facts, "scene").empty());
+  CHECK(map_files(maps, maps, facts, "scene").empty());
 }
 
 }  // namespace

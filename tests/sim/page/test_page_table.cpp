@@ -22,7 +22,8 @@ TEST_CASE("A table has its headings, row by row its cells, and says what they he
 }
 
 TEST_CASE("Cells are as deep as their shade") {
-  const PageTable table{"Waits", {{"waits"}, {"for a", true}}, {{"b", "2"}}, false, {{0.25}}};
+  const PageTable table{"Waits", {{"waits"}, {"for a", true}}, {{"b", "2"}}, false, false,
+                        {{0.25}}};
   CHECK_THAT(table_element(table).markup,
              ContainsSubstring("<td style=\"--shade:0.250\" class=\"number\">2</td>"));
 }
