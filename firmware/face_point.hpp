@@ -46,6 +46,7 @@ template <Projection projection, class Real>
 template <class Real>
 [[gnu::noinline]] FacePoint<Real> face_point(const Frame<Real>& frame, const RayQuery<Real>& query,
                                              const Crossing<Real>& crossing) {
+  const InFunction<Real> here(Function::points);
   return is_parallel(frame.database)
              ? settled_point<Projection::parallel>(frame, query, crossing)
              : settled_point<Projection::perspective>(frame, query, crossing);

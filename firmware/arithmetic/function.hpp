@@ -17,7 +17,7 @@ enum class Function : std::uint8_t {
   extents,         ///< rays compared with rectangles, boxes and spheres
   classification,  ///< the way through the tree, segments of rays in and out of primitives
   combination,     ///< of segments by Boolean operators
-  points,          ///< visible points brought to their surface, with their normals
+  points,          ///< points brought to the surface they lie on, with their normals
   photometry,      ///< luminance, Fresnel, directions of secondary rays
   intersection     ///< of rays with primitives of kind 0; those of the other kinds follow
 };

@@ -1,3 +1,4 @@
+#include "firmware/board/elementary.hpp"
 #include "firmware/board_order.hpp"
 #include "firmware/conversion.hpp"
 #include "firmware/layout.hpp"

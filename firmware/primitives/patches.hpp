@@ -1,8 +1,8 @@
 #pragma once
 
 #include "firmware/primitives/hit_order.hpp"
+#include "firmware/primitives/patch_conversion.hpp"
 #include "firmware/primitives/patch_point.hpp"
-#include "firmware/primitives/patch_roots.hpp"
 #include "firmware/primitives/primitive.hpp"
 #include "firmware/primitives/surface_map.hpp"
 
@@ -10,45 +10,16 @@
 /// thickness, which a ray enters and leaves at once. Faces: the patches by their numbers, and
 /// whether the ray came from behind.
 ///
-/// Parameters: number of patches; 1 for a solid, 0 for a sheet; 1 for the method `roots`, 0 for
-/// `subdivision`; the boxes of a balanced binary tree over the patches, each node before its
-/// children; the control points, 16 for each patch. The local frame holds the control points in
-/// [-1, 1].
+/// The parameters are those of a set (patch_set.hpp), which boards make of a net of control points
+/// (patch_conversion.hpp). The local frame holds the control points in [-1, 1].
 namespace maquette::firmware::patches {
 
-inline constexpr int k_patch_limit = 128;
-inline constexpr int k_tree_height = 7;  ///< of the binary tree over so many patches
 inline constexpr int k_hit_limit = 128;
 static_assert(k_hit_limit <= k_primitive_hit_limit);
 inline constexpr std::uint8_t k_from_behind = 0x80;
-inline constexpr std::ptrdiff_t k_header_reals = 3;
-inline constexpr std::ptrdiff_t k_box_reals = 6;
 
 /// Spacings, per unit of the local frame, by which boxes are too small for rounded rays.
 inline constexpr double k_box_margin = 16;
-
-template <class Real>
-struct PatchSet {
-  int patches;
-  bool is_solid;
-  SearchMethod::Value method;
-  const Real* boxes;
-  const Real* points;
-
-  [[nodiscard]] const Real* patch(int number) const { return points + number * k_patch_stride; }
-};
-
-template <class Real>
-PatchSet<Real> patch_set(const Real* parameters) {
-  charge<Real>(Operation::load, 3);
-  PatchSet<Real> set;
-  set.patches = to_integer(parameters[0]);
-  set.is_solid = parameters[1] > constant<Real>(0);
-  set.method = parameters[2] > constant<Real>(0) ? SearchMethod::roots : SearchMethod::subdivision;
-  set.boxes = parameters + k_header_reals;
-  set.points = set.boxes + (2 * set.patches - 1) * k_box_reals;
-  return set;
-}
 
 /// A ray as the intersection of two planes, parallel to the two axes along which it goes least, and
 /// its point nearest to the origin, where no large numbers cancel.
@@ -230,6 +201,8 @@ SurfacePlace<Real> surface_place(const Vector<Real>& point, std::uint8_t face,
 
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr auto k_convert = convert<Real>;
   template <class Real>
   static constexpr SurfaceMap<Real> k_surface_map = surface_place<Real>;
   template <class Real>

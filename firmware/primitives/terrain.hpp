@@ -1,6 +1,6 @@
 #pragma once
 
-#include "firmware/primitives/terrain_triangle.hpp"
+#include "firmware/primitives/terrain_parameters.hpp"
 
 /// A terrain over the square from (0, 0) to (1, 1), down to a level floor (paper, section II.1;
 /// Kajiya, "New techniques for ray tracing procedurally defined objects", ACM Transactions on
@@ -287,6 +287,8 @@ bool bounds(const Real* parameters, Box<Real>& box) {
 
 /// What the table of primitives lists.
 struct Kind {
+  template <class Real>
+  static constexpr auto k_convert = convert<Real>;
   template <class Real>
   static constexpr Primitive<Real> primitive() {
     return {intersect<Real>, settle<Real>, bounds<Real>, hit_limit<Real>, false};

@@ -1,8 +1,11 @@
 #pragma once
 
-#include "firmware/primitives/terrain.hpp"
+#include "firmware/primitives/terrain_triangle.hpp"
 
-/// From the description of a terrain to the parameters of its primitive.
+/// From the description of a terrain to the parameters of its primitive: the levels and what they
+/// may add. Boards do it before all other preprocessing.
+///
+/// Given: the members of a shape, in their order.
 namespace maquette::firmware::terrain {
 
 template <class Real>
@@ -18,6 +21,8 @@ struct Shape {
 /// By which sums grow, so that they remain bounds when they are rounded to single precision, and
 /// heights that are.
 inline constexpr double k_margin = 2e-6;
+
+inline constexpr std::ptrdiff_t k_given_reals = 9;
 
 constexpr std::ptrdiff_t parameter_count(std::int32_t levels) {
   return k_header_reals + levels * k_level_reals;
@@ -61,6 +66,20 @@ void write_parameters(const Shape<Real>& shape, Real* parameters) {
     rest.displacement *= rest.roughness;
     --rest.levels;
   }
+}
+
+/// Fills the parameters of what is given; returns the end of it.
+template <class Real>
+const Real* convert(const Real* given, Real* parameters) {
+  charge<Real>(Operation::load, k_given_reals);
+  write_parameters<Real>({to_integer(given[0]),
+                          to_integer(given[1]),
+                          given[2],
+                          {given[3], given[4], given[5], given[6]},
+                          given[7],
+                          given[8]},
+                         parameters);
+  return given + k_given_reals;
 }
 
 }  // namespace maquette::firmware::terrain

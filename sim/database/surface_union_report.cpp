@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/primitives/primitive_table.hpp"
 
 namespace maquette::sim {
 
@@ -40,13 +43,13 @@ std::string rows_of(const Generatrix& curve, const UnionNode& node) {
   return text;
 }
 
-std::string tree_of(firmware::NodeIndex leaf, const Generatrix& curve) {
+std::string tree_of(firmware::NodeIndex leaf, std::string_view primitive, const Generatrix& curve) {
   const int nodes = 2 * curve.sections - 1;
   std::string text = fmt::format(
-      "\nSurface union of primitive {}, a revolution: {} sections, {} nodes of {} bytes\n"
+      "\nSurface union of primitive {}, a {}: {} sections, {} nodes of {} bytes\n"
       "  {:>5}  {:>6}  {:>9}  {:<12}  {:>20}  {:>20}\n",
-      leaf, curve.sections, nodes, revolution::k_extent_reals * 4, "node", "parent", "sons",
-      "sections", "r", "z");
+      leaf, primitive, curve.sections, nodes, revolution::k_extent_reals * 4, "node", "parent",
+      "sons", "sections", "r", "z");
   return text + rows_of(curve, {0, "-", 0, curve.sections});
 }
 
@@ -56,8 +59,9 @@ std::string surface_union_report(const PackedScene<float>& scene) {
   std::string text;
   for (std::size_t i = 0; i < scene.leaves.size(); ++i) {
     const firmware::Leaf<float>& leaf = scene.leaves[i];
-    if (leaf.kind == firmware::kind_of<revolution::Kind>) {
-      text += tree_of(static_cast<firmware::NodeIndex>(i),
+    if (leaf.kind == firmware::kind_of<revolution::Kind> ||
+        leaf.kind == firmware::kind_of<firmware::shell::Kind>) {
+      text += tree_of(static_cast<firmware::NodeIndex>(i), description_of(leaf.kind).name,
                       revolution::generatrix(scene.parameters.data() + leaf.first_parameter));
     }
   }

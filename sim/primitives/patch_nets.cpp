@@ -6,7 +6,7 @@
 #include <map>
 #include <tuple>
 
-#include "firmware/primitives/patch_set.hpp"
+#include "firmware/primitives/patch_conversion.hpp"
 
 namespace maquette::sim {
 namespace {

@@ -1,15 +1,17 @@
 #include "sim/primitives/patches.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 
-#include "firmware/primitives/patch_set.hpp"
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/patch_nets.hpp"
+#include "sim/primitives/patch_order.hpp"
 #include "sim/primitives/primitive_description.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -226,19 +228,9 @@ std::string_view why_sheets_are_opaque(const PatchesShape& shape) {
 
 constexpr Recursion k_recursions[] = {
     {"patches::intersect_node", firmware::patches::k_tree_height + 1},
+    {"patches::write_boxes", firmware::patches::k_tree_height + 1},
     {"patches::isolate", firmware::patches::k_cell_bisection_limit<float> + 1},
     {"patches::crossings_of", firmware::patches::k_edge_bisection_limit<float> + 1}};
-
-/// The patches with u and v exchanged: their normals point the other way.
-void turn_over(std::vector<PatchNet>& nets) {
-  for (PatchNet& net : nets) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t k = 0; k < i; ++k) {
-        std::swap(net[4 * i + k], net[4 * k + i]);
-      }
-    }
-  }
-}
 
 firmware::patches::SearchMethod::Value search_method_of(PatchMethod method) {
   switch (method) {
@@ -250,32 +242,67 @@ firmware::patches::SearchMethod::Value search_method_of(PatchMethod method) {
   return firmware::patches::SearchMethod::subdivision;
 }
 
+/// The frame of a net: its middle and its unit.
+struct NetFrame {
+  glm::dvec3 middle;
+  double unit;
+};
+
+/// In which Bezier points lie in [-1, 1]. The unit is a power of two and the middle goes in steps
+/// of a quarter of it, so that a net keeps its frame when points of it move a little: then a board
+/// is told nothing else anew than the coordinates that move.
+NetFrame net_frame(const Extent3& extent) {
+  constexpr double k_steps = 4;
+  constexpr double k_room = 1 + 1 / (2 * k_steps - 1);  // for the middle, half a step aside
+  const glm::dvec3 half = (extent.high - extent.low) * 0.5;
+  const double unit = std::exp2(std::ceil(std::log2(std::max({half.x, half.y, half.z}) * k_room)));
+  const double step = unit / k_steps;
+  return {glm::round((extent.low + half) / step) * step, unit};
+}
+
+/// The numbers of a patch's points with u and v exchanged: its normals point the other way.
+PatchIndices turned_over(const PatchIndices& indices) {
+  PatchIndices turned;
+  for (std::size_t i = 0; i < k_patch_points; ++i) {
+    turned.push_back(indices[4 * (i % 4) + i / 4]);
+  }
+  return turned;
+}
+
+/// What a board is given of a net.
+std::vector<double> given_by(const PatchesShape& shape, const std::vector<PatchNet>& nets,
+                             const NetFrame& frame) {
+  std::vector<double> given = {
+      static_cast<double>(nets.size()), shape.solid ? 1.0 : 0.0,
+      firmware::patches::narrows(search_method_of(shape.method)) ? 1.0 : 0.0,
+      meets_at_points(shape.basis) ? 0.0 : 1.0, static_cast<double>(shape.points.size())};
+  for (const glm::dvec3& point : shape.points) {
+    const glm::dvec3 local = (point - frame.middle) / frame.unit;
+    given.insert(given.end(), {local.x, local.y, local.z});
+  }
+  const bool is_inside_out = shape.solid && enclosed_volume(nets) < 0;
+  const std::vector<PatchIndices> indices = patch_indices(shape);
+  for (const std::size_t patch : patch_order(nets)) {
+    const PatchIndices own = is_inside_out ? turned_over(indices[patch]) : indices[patch];
+    given.insert(given.end(), own.begin(), own.end());
+  }
+  return given;
+}
+
 }  // namespace
 
 LocalFrame frame_of(const PatchesShape& shape) {
-  std::vector<PatchNet> nets = patch_nets(shape);
-  if (shape.solid && enclosed_volume(nets) < 0) {
-    turn_over(nets);
-  }
-  const Extent3 extent = extent_of(nets);
-  const glm::dvec3 middle = (extent.low + extent.high) * 0.5;
-  const glm::dvec3 half = (extent.high - extent.low) * 0.5;
-  const double size = std::max({half.x, half.y, half.z});
-  std::vector<double> points;
-  for (const PatchNet& net : nets) {
-    for (const glm::dvec3& point : net) {
-      const glm::dvec3 local = (point - middle) / size;
-      points.insert(points.end(), {local.x, local.y, local.z});
-    }
-  }
   namespace patches = firmware::patches;
-  const int count = static_cast<int>(nets.size());
+  const std::vector<PatchNet> nets = patch_nets(shape);
+  const NetFrame net = net_frame(extent_of(nets));
   LocalFrame frame;
-  frame.kind = firmware::kind_of<firmware::patches::Kind>;
-  frame.parameters.resize(static_cast<std::size_t>(patches::parameter_count(count)));
-  patches::write_parameters(points.data(), count, shape.solid, search_method_of(shape.method),
-                            frame.parameters.data());
-  frame.to_object = {size, 0, 0, 0, size, 0, 0, 0, size, middle.x, middle.y, middle.z};
+  frame.kind = firmware::kind_of<patches::Kind>;
+  frame.given = given_by(shape, nets, net);
+  frame.parameters.resize(
+      static_cast<std::size_t>(patches::parameter_count(static_cast<int>(nets.size()))));
+  patches::convert(frame.given.data(), frame.parameters.data());
+  frame.to_object = {net.unit,     0,           0, 0, net.unit, 0, 0, 0, net.unit, net.middle.x,
+                     net.middle.y, net.middle.z};
   return frame;
 }
 

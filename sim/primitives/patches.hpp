@@ -50,8 +50,8 @@ struct PatchesShape {
   std::optional<PatchGrid> grid;
 };
 
-/// A set of patches in the firmware's terms: Bezier points in [-1, 1], those of a solid with
-/// normals outwards. The shape must be a checked one.
+/// A set of patches in the firmware's terms: Bezier points in [-1, 1], farther out than 0.4 along
+/// one axis at least, those of a solid with normals outwards. The shape must be a checked one.
 [[nodiscard]] LocalFrame frame_of(const PatchesShape& shape);
 
 }  // namespace maquette::sim

@@ -74,9 +74,19 @@ LocalFrame frame_of(const TerrainShape& shape) {
   }
   LocalFrame frame;
   frame.kind = firmware::kind_of<firmware::terrain::Kind>;
+  const auto* c = scaled.corners;
+  frame.given = {static_cast<double>(scaled.levels),
+                 static_cast<double>(scaled.seed),
+                 scaled.floor,
+                 c[0],
+                 c[1],
+                 c[2],
+                 c[3],
+                 scaled.displacement,
+                 scaled.roughness};
   frame.parameters.resize(
       static_cast<std::size_t>(firmware::terrain::parameter_count(shape.levels)));
-  firmware::terrain::write_parameters(scaled, frame.parameters.data());
+  firmware::terrain::convert(frame.given.data(), frame.parameters.data());
   const double middle = -shape.size / 2;
   frame.to_object = {shape.size, 0, 0, 0, shape.size, 0, 0, 0, height, middle, middle, 0};
   return frame;

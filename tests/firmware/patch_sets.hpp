@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "firmware/primitives/patch_set.hpp"
+#include "firmware/primitives/patch_conversion.hpp"
 #include "tests/firmware/random_cases.hpp"
 
 /// Sets of patches for tests, with what is known of them from elsewhere.
@@ -19,18 +19,36 @@ using ControlNets = std::vector<ControlNet>;
 template <class Real>
 using Parameters = std::vector<Real>;
 
-template <class Real>
-Parameters<Real> parameters_of(const ControlNets& nets, bool is_solid, SearchMethod::Value method) {
-  std::vector<double> points;
+/// As boards are given it: a net that shares no points.
+inline std::vector<double> given_nets(const ControlNets& nets, bool is_solid,
+                                      SearchMethod::Value method, bool is_spline = false) {
+  const auto patches = static_cast<double>(nets.size());
+  std::vector<double> given = {patches, is_solid ? 1.0 : 0.0, patches::narrows(method) ? 1.0 : 0.0,
+                               is_spline ? 1.0 : 0.0, patches * patches::k_net_points};
   for (const ControlNet& net : nets) {
     for (const Vector<double>& point : net) {
-      points.insert(points.end(), {point.x, point.y, point.z});
+      given.insert(given.end(), {point.x, point.y, point.z});
     }
   }
-  const int count = static_cast<int>(nets.size());
-  std::vector<double> parameters(static_cast<std::size_t>(patches::parameter_count(count)));
-  patches::write_parameters(points.data(), count, is_solid, method, parameters.data());
-  return {parameters.begin(), parameters.end()};
+  for (int i = 0; i < static_cast<int>(nets.size()) * patches::k_net_points; ++i) {
+    given.push_back(i);
+  }
+  return given;
+}
+
+/// The parameters that a number type makes of what is given.
+template <class Real>
+Parameters<Real> converted_nets(const std::vector<double>& given) {
+  const std::vector<Real> rounded(given.begin(), given.end());
+  Parameters<Real> parameters(
+      static_cast<std::size_t>(patches::parameter_count(static_cast<int>(given[0]))));
+  patches::convert(rounded.data(), parameters.data());
+  return parameters;
+}
+
+template <class Real>
+Parameters<Real> parameters_of(const ControlNets& nets, bool is_solid, SearchMethod::Value method) {
+  return converted_nets<Real>(given_nets(nets, is_solid, method));
 }
 
 /// The net whose points a function of their places i, k in 0 .. 3 gives.

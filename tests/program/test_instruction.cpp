@@ -175,8 +175,8 @@ TEST_CASE("arithmetic by the host at its exact cost is the executed package at e
   const std::string scenes = std::string(MAQUETTE_PROJECT_DIRECTORY) + "/scenes/";
   for (const std::string scene :
        {"photo4.yaml", "primitives/prism.yaml", "primitives/revolution.yaml",
-        "primitives/shell.yaml", "effects/facets_gaussian.yaml", "effects/orthographic.yaml",
-        "effects/tinted_shadows.yaml"}) {
+        "primitives/shell.yaml", "primitives/terrain.yaml", "effects/facets_gaussian.yaml",
+        "effects/orthographic.yaml", "effects/tinted_shadows.yaml"}) {
     const auto result = [&](const std::string& name, const std::string& processor) {
       const std::string directory = (scratch / name).string();
       const Outcome outcome =

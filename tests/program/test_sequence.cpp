@@ -83,6 +83,44 @@ TEST_CASE("frames of a sequence are those of their scenes, but for what need not
   }
 }
 
+TEST_CASE("where a point of a net moves the host loads it alone, and boards make the patches") {
+  const ScratchDirectory scratch;
+  const auto scene = [](const std::string& height, const std::string& more) {
+    return "view: {eye: [4, -6, 3], target: [0, 0, 0.5], field_of_view: 30 deg}\n"
+           "lights: {key: {position: [5, -5, 9]}}\n"
+           "surfaces: {red: {diffuse: [0.8, 0.2, 0.1]}}\n"
+           "object: {surface: red, patches: {basis: b_spline, grid: {columns: 4}, points: [[-3, "
+           "-3, 0], [-1, -3, 0], [1, -3, 0], [3, -3, 0], [-3, -1, 0], [-1, -1, " +
+           height +
+           "], [1, -1, 1], [3, -1, 0], [-3, 1, 0], [-1, 1, 1], [1, 1, 1], [3, 1, 0], [-3, 3, 0], "
+           "[-1, 3, 0], [1, 3, 0], [3, 3, 0]]}}\n" +
+           more;
+  };
+  const std::string sequence = scratch.file(
+      "sequence.yaml", scene("1",
+                             "sequence: {frames: 3, vary: {object.patches.points.5.2: [1, 1.1, "
+                             "1.3]}}\n"));
+  for (const std::string options : {"", " --processor instruction"}) {
+    CAPTURE(options);
+    const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
+                                         (scratch / "all").string());
+    INFO(outcome.errors);
+    REQUIRE(outcome.exit_code == 0);
+    const auto first = json_of(scratch / "all" / "stats-0000.json");
+    const auto last = json_of(scratch / "all" / "stats-0002.json");
+    CHECK(last["frame"]["load_s"].get<double>() > 0);
+    CHECK(last["frame"]["load_s"].get<double>() < first["frame"]["load_s"].get<double>() / 200);
+    const std::string alone = scratch.file("alone.yaml", scene("1.3", ""));
+    REQUIRE(run_maquette("run " + alone + options + k_coarse + " --quiet --outdir " +
+                         (scratch / "alone").string())
+                .exit_code == 0);
+    CHECK(content_of(scratch / "all" / "frame-0002.png") ==
+          content_of(scratch / "alone" / "frame.png"));
+    CHECK(content_of(scratch / "all" / "frame-0002.png") !=
+          content_of(scratch / "all" / "frame-0000.png"));
+  }
+}
+
 TEST_CASE("where control points move the host loads them alone, and boards convert them") {
   const ScratchDirectory scratch;
   const auto scene = [](const std::string& amount, const std::string& more) {

@@ -122,9 +122,11 @@ TEST_CASE("boards convert what a scene gives where it has a primitive that is gi
     CHECK(missing("converting_program") != converts);
     CHECK(missing("k_conversions") != converts);
     CHECK_FALSE(missing("board_program"));
-    const bool has_generatrix = primitive == firmware::kind_of<firmware::revolution::Kind> ||
-                                primitive == firmware::kind_of<firmware::shell::Kind>;
-    CHECK(has_generatrix == converts);
+    const bool is_given_otherwise = primitive == firmware::kind_of<firmware::revolution::Kind> ||
+                                    primitive == firmware::kind_of<firmware::shell::Kind> ||
+                                    primitive == firmware::kind_of<firmware::patches::Kind> ||
+                                    primitive == firmware::kind_of<firmware::terrain::Kind>;
+    CHECK(is_given_otherwise == converts);
   }
 }
 

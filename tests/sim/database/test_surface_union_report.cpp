@@ -51,6 +51,12 @@ std::map<int, Row> rows_of(const std::string& text) {
   return rows;
 }
 
+TEST_CASE("a shell has a tree of its sections as a solid of revolution has") {
+  const std::string text = report_of("primitives/shell.yaml");
+  CHECK_THAT(text, Catch::Matchers::ContainsSubstring("a shell: 4 sections, 7 nodes of 16 bytes"));
+  CHECK_THAT(text, Catch::Matchers::ContainsSubstring("a shell: 1 sections, 1 nodes"));
+}
+
 TEST_CASE("every node of a surface union has its parent, two sons or none, and an extent in its") {
   const std::string text = report_of("photo3.yaml");
   CHECK_THAT(text, Catch::Matchers::ContainsSubstring("15 sections, 29 nodes of 16 bytes"));

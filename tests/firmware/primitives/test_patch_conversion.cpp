@@ -1,11 +1,12 @@
-#include "firmware/primitives/patch_set.hpp"
+#include "firmware/primitives/patch_conversion.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <tuple>
 
-#include "firmware/extent.hpp"
+#include "firmware/arithmetic/counted.hpp"
+#include "firmware/primitives/patches.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/patch_sets.hpp"
 
@@ -72,6 +73,77 @@ TEST_CASE("Neighbours in a spline net share their edges to the last bit") {
 
 std::tuple<double, double, double> key(const double* point) {
   return {point[0], point[1], point[2]};
+}
+
+/// Nets of random points, in which patches share some.
+std::vector<double> random_given(Random& random, int patches, bool is_spline) {
+  const int points = 16 + random.below(100);
+  std::vector<double> given = {static_cast<double>(patches), 1, 0, is_spline ? 1.0 : 0.0,
+                               static_cast<double>(points)};
+  for (int i = 0; i < points * k_point_reals; ++i) {
+    given.push_back(random.uniform(-1, 1));
+  }
+  for (int i = 0; i < patches * k_net_points; ++i) {
+    given.push_back(random.below(points));
+  }
+  return given;
+}
+
+TEST_CASE("Each patch is made of the points that it numbers, to the end of what is given") {
+  Random random(2305);
+  for (int i = 0; i < 100; ++i) {
+    const bool is_spline = random.coin();
+    const int patches = 1 + random.below(20);
+    const std::vector<double> given = random_given(random, patches, is_spline);
+    std::vector<double> parameters(static_cast<std::size_t>(parameter_count(patches)));
+    REQUIRE(convert(given.data(), parameters.data()) == given.data() + given.size());
+    const PatchSet<double> set = patch_set(parameters.data());
+    const double* net = given.data() + k_given_header_reals;
+    const double* numbers = given.data() + given.size() - patches * k_net_points;
+    for (int patch = 0; patch < patches; ++patch) {
+      ControlNet expected = trial::net_of([&](int row, int column) {
+        const auto number = static_cast<int>(numbers[patch * k_net_points + 4 * row + column]);
+        const double* point = net + number * k_point_reals;
+        return Vector<double>(point[0], point[1], point[2]);
+      });
+      if (is_spline) {
+        spline_to_bezier(&expected[0].x);
+      }
+      for (int k = 0; k < k_net_points; ++k) {
+        const double* point = set.patch(patch) + k * k_point_reals;
+        REQUIRE(Vector<double>(point[0], point[1], point[2]) ==
+                expected[static_cast<std::size_t>(k)]);
+      }
+    }
+  }
+}
+
+TEST_CASE("Converted in single precision a net is what it is in double within the rounding") {
+  Random random(2306);
+  for (int i = 0; i < 100; ++i) {
+    const std::vector<double> given = random_given(random, 1 + random.below(20), random.coin());
+    const auto exact = trial::converted_nets<double>(given);
+    const auto single = trial::converted_nets<float>(given);
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+      REQUIRE(std::fabs(exact[k] - static_cast<double>(single[k])) < 1e-6);
+    }
+  }
+}
+
+TEST_CASE("A conversion is charged, of splines more than of Bezier patches") {
+  Random random(2307);
+  std::vector<double> given = random_given(random, 5, true);
+  const auto work = [&given] {
+    reset_counted_work();
+    trial::converted_nets<Counted>(given);
+    return counted_work();
+  };
+  const Work spline = work();
+  given[k_given_basis] = 0;
+  const Work bezier = work();
+  CHECK(bezier[Operation::load] >= 2 * 5 * k_patch_stride);
+  CHECK(bezier[Operation::multiply] < 100);
+  CHECK(spline[Operation::multiply] > 5 * 3 * 8 * 8);
 }
 
 /// Checks that a node's box holds its patches, and the same below it.
