@@ -2,9 +2,10 @@
 
 namespace maquette::models {
 
-Picture shown_picture(const FrameMemory& memory, const VideoTiming& timing, Instant instant) {
-  Picture picture = memory.background();
-  for (const PixelWriteRecord& write : memory.log()) {
+Picture shown_picture(const Picture& background, const std::vector<PixelWriteRecord>& log,
+                      const VideoTiming& timing, Instant instant) {
+  Picture picture = background;
+  for (const PixelWriteRecord& write : log) {
     if (write.instant > instant) {
       break;
     }
@@ -16,6 +17,10 @@ Picture shown_picture(const FrameMemory& memory, const VideoTiming& timing, Inst
     }
   }
   return picture;
+}
+
+Picture shown_picture(const FrameMemory& memory, const VideoTiming& timing, Instant instant) {
+  return shown_picture(memory.background(), memory.log(), timing, instant);
 }
 
 }  // namespace maquette::models

@@ -4,8 +4,10 @@
 
 #include <utility>
 
+#include "sim/picture/image_file.hpp"
 #include "sim/report/remark.hpp"
 #include "sim/report/result_directory.hpp"
+#include "sim/report/seconds.hpp"
 #include "sim/run/execution_check.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/sequence/sequence_run.hpp"
@@ -34,11 +36,41 @@ void refuse_of_one_frame(const RunOptions& options) {
   }
 }
 
+/// A film of a sequence has a picture for each of its frames.
+FilmRequest film_of_sequence(const RunOptions& options) {
+  const FilmOptions& film = options.film;
+  if (!film.step.empty() || film.pictures > 0 || film.as_fields) {
+    throw DescriptionError(
+        "--film-step, --film-frames and --film-fields are of one frame, but the scene has a "
+        "sequence of them; --frame N is allowed with them");
+  }
+  return film_request(film);
+}
+
+void write_film(const FilmRequest& request, const std::filesystem::path& workplace,
+                const SequenceResult& sequence) {
+  std::size_t frame = 0;
+  models::Duration time{};
+  write_film(request, workplace, [&](FilmPicture& picture) {
+    if (frame == sequence.frames.size()) {
+      return false;
+    }
+    const std::string name = fmt::format("frame-{:04}.png", frame);
+    picture.picture = decode_png(read_file(workplace / name), name);
+    time += sequence.frames[frame].frame.load + sequence.frames[frame].frame.time;
+    picture.caption =
+        request.has_clock ? fmt::format("frame {}: {}", frame, readable_duration(time)) : "";
+    ++frame;
+    return true;
+  });
+}
+
 }  // namespace
 
 int run_frames(const RunOptions& options, const std::vector<std::string>& command,
                const Description& description, const std::function<double()>& host_time_s) {
   refuse_of_one_frame(options);
+  const FilmRequest film = film_of_sequence(options);
   SimulationRequest request;
   request.executed = options.processor == "instruction";
   if (request.executed) {
@@ -53,6 +85,9 @@ int run_frames(const RunOptions& options, const std::vector<std::string>& comman
     }
   };
   const SequenceResult sequence = run_sequence(description, request, results.workplace(), show);
+  if (film.is_wanted() && !sequence.partial) {
+    write_film(film, results.workplace(), sequence);
+  }
   write_files(results.workplace(),
               {{"sequence.json", sequence_json(sequence)},
                {"config.yaml", effective_configuration(description.scene, description.machine)}});

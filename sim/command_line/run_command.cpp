@@ -15,10 +15,12 @@
 #include "models/bus/bus_levels.hpp"
 #include "models/bus/instant.hpp"
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/film_output.hpp"
 #include "sim/command_line/frame_choice.hpp"
 #include "sim/command_line/ram_dump.hpp"
 #include "sim/command_line/run_options.hpp"
 #include "sim/fields/quantity.hpp"
+#include "sim/fields/time_text.hpp"
 #include "sim/maps/map_files.hpp"
 #include "sim/page/layers.hpp"
 #include "sim/page/run_page.hpp"
@@ -48,7 +50,7 @@ std::vector<models::Duration> instants_of(const std::vector<std::string>& texts,
   for (const std::string& text : texts) {
     const SourcePosition position{fmt::format("{} {}", option, text), 1, 1};
     try {
-      instants.emplace_back(parse_quantity(text, WholeDimension::time));
+      instants.emplace_back(parse_time(text));
     } catch (const std::invalid_argument& error) {
       throw DescriptionError(position, error.what());
     }
@@ -142,11 +144,14 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options,
   if (!options.record.empty() && options.processor != "recorded") {
     outputs.push_back({"--record", options.record});
   }
+  if (const FilmRequest film = film_request(options.film); film.is_gif()) {
+    outputs.push_back({"--film", place_of_result(film.place, directory)});
+  }
   for (const std::string& file : options.trace.files) {
-    outputs.push_back({"--trace", file});
+    outputs.push_back({"--trace", place_of_result(file, directory)});
   }
   if (!options.trace.lines.empty()) {
-    outputs.push_back({"--trace-lines", options.trace.lines});
+    outputs.push_back({"--trace-lines", place_of_result(options.trace.lines, directory)});
   }
   if (options.report) {
     outputs.push_back({"--report", directory / k_page_name});
@@ -161,6 +166,15 @@ std::vector<Map> maps_of(const RunOptions& options) {
     names.insert(names.end(), page_maps().begin(), page_maps().end());
   }
   return maps_named(names);
+}
+
+/// The run directory, and the files that were asked for by a path.
+std::string written_line(const RunOptions& options, const std::filesystem::path& directory) {
+  std::string line = "written: " + directory.string();
+  for (const RequestedOutput& output : outputs_of(options, directory)) {
+    line += ", " + output.path.string();
+  }
+  return line;
 }
 
 void check_facts(const SimulationRequest& request) {
@@ -201,12 +215,15 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   const std::vector<Map> maps = maps_of(options);
   request.facts = facts_of(maps);
   check_facts(request);
+  const FilmRequest film = film_request(options.film);
+  request.film = film.is_wanted();
   request.dumped_boards =
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
   const std::filesystem::path directory = run_directory_of(options, description);
   check_outputs(outputs_of(options, directory), description.input_files, directory);
   ResultDirectory results(directory);
+  trace.folder = results.workplace();
   TraceFiles trace_files(std::move(trace));
   request.lines = trace_files.lines();
 
@@ -248,13 +265,16 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
     files.push_back({k_page_name,
                      run_page(shown_files(directory.string(), files, manifest), data_directory())});
   }
+  if (result.film) {
+    write_film(film, results.workplace(), *result.film);
+  }
   write_files(results.workplace(), files);
   results.publish(manifest_of(command, description.input_files, host_time_s()));
   if (!options.quiet) {
     fmt::print("{}\n{}\n",
                summarise(result.statistics, result.times_from, paper_time_of(description.scene),
                          host_time_s()),
-               fmt::format("written: {}", directory.string()));
+               written_line(options, directory));
   }
   return result.statistics.partial ? k_exit_interrupted : 0;
 }

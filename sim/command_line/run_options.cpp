@@ -27,7 +27,8 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   verb.add_option("--snapshot", options.snapshots,
-                  "write the frame memory as it is at this simulated time, e.g. \"60 s\" "
+                  "write the frame memory as it is at this simulated time, e.g. \"60 s\" or "
+                  "\"6 min 59 s\" "
                   "(repeatable)")
       ->type_name("TIME")
       ->expected(1)
@@ -37,6 +38,7 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
       ->type_name("TIME")
       ->expected(1)
       ->take_all();
+  add_film_options(verb, options.film);
   verb.add_option("--map", options.maps,
                   "write a map of the pixels, e.g. time, board, rays, surface, as map-NAME.png and "
                   "in maps.exr; `maquette describe --maps` lists them (repeatable)")
@@ -50,9 +52,10 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
       ->type_name("BOARD")
       ->expected(1)
       ->take_all();
-  verb.add_option("--trace", options.trace.files,
-                  "write what happens on the bus: .json for ui.perfetto.dev and chrome://tracing, "
-                  ".vcd for GTKWave (repeatable)")
+  verb.add_option(
+          "--trace", options.trace.files,
+          "write what happens on the bus: .json for ui.perfetto.dev, .vcd for GTKWave; a name "
+          "alone is put into the run directory (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/film_output.hpp"
 #include "sim/scene/description_loader.hpp"
 #include "sim/trace/trace_request.hpp"
 
@@ -23,6 +24,7 @@ struct RunOptions {
   std::vector<std::string> snapshots;
   std::vector<std::string> shown_snapshots;
   std::vector<std::string> maps;
+  FilmOptions film;
   std::vector<int> dumped_boards;
   TraceOptions trace;
   int frame = -1;  ///< of a sequence; all

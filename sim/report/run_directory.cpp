@@ -91,6 +91,10 @@ void write_files(const fs::path& directory, const std::vector<NamedContent>& fil
   unfinished.publish();
 }
 
+fs::path place_of_result(const fs::path& place, const fs::path& folder) {
+  return place.has_parent_path() ? place : folder / place;
+}
+
 std::string read_file(const fs::path& file) {
   if (std::error_code ignored; fs::is_directory(file, ignored)) {
     fail(file, "cannot be read", "it is a directory");

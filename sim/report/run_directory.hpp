@@ -22,6 +22,11 @@ void create_run_directory(const std::filesystem::path& directory);
 /// vanished directory) leaves the directory as it was. Throws DescriptionError.
 void write_files(const std::filesystem::path& directory, const std::vector<NamedContent>& files);
 
+/// Where a result that is asked for by a path goes: a name alone is one of the run's own, in the
+/// folder of these.
+[[nodiscard]] std::filesystem::path place_of_result(const std::filesystem::path& place,
+                                                    const std::filesystem::path& folder);
+
 /// The bytes of a file. Throws DescriptionError when it cannot be read.
 std::string read_file(const std::filesystem::path& file);
 

@@ -230,6 +230,9 @@ SimulationResult simulate_prepared(const Machine& machine, const SimulationReque
     }
   }
   take_snapshots(model, request, result);
+  if (request.film) {
+    result.film = film_of(model);
+  }
   if (request.facts.times && model.finished()) {
     tell_instants(model, result.facts);
   }
@@ -288,8 +291,8 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
     set_images(packed_scene<float>(*request.held, picture_format_of(machine)), roomy, before);
     load_changes(before, roomy, setup);
   }
-  setup.keep_log =
-      !request.snapshots.empty() || !request.shown_snapshots.empty() || request.facts.times;
+  setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty() ||
+                   request.facts.times || request.film;
   require_transfer_time(priced, setup);
   SimulationResult result = simulate_prepared(priced, request, *pixels.source, setup, go_on);
   if (request.facts.any()) {

@@ -13,6 +13,7 @@
 #include "sim/report/statistics.hpp"
 #include "sim/report/summary.hpp"
 #include "sim/run/calibration.hpp"
+#include "sim/run/frame_film.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/trace/bus_record.hpp"
 #include "sim/trace/line_trace.hpp"
@@ -32,6 +33,7 @@ struct SimulationRequest {
   std::vector<models::Duration> shown_snapshots;  ///< of what the video reader shows
   std::optional<TraceWindow> trace;               ///< of the frame, when it is to be recorded
   WantedFacts facts;                              ///< of pixels, for maps
+  bool film = false;                              ///< whether the result tells how it was filled
   LineTrace* lines = nullptr;                     ///< shows the backplanes' lines, if given
   std::optional<TraceWindow> video;               ///< in which the video reader is looked at
 };
@@ -50,6 +52,7 @@ struct SimulationResult {
   std::vector<std::vector<unsigned char>> rams;  ///< of the dumped boards, at the end
   std::string symbols;                           ///< where things are in them, if there are any
   PixelFacts facts;                              ///< what was asked for, of a finished frame
+  std::optional<FrameFilm> film;                 ///< of the frame memory, when one was asked for
   BusRecord trace;                               ///< of the window, when one was asked for
 };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/report/run_directory.hpp"
 #include "sim/report/seconds.hpp"
 
 namespace maquette::sim {
@@ -18,10 +19,10 @@ constexpr std::int64_t k_megabyte = 1'000'000;
 
 TraceFiles::TraceFiles(TraceRequest request) : request_(std::move(request)) {
   for (const std::string& file : request_.files) {
-    files_.emplace_back(file);
+    files_.emplace_back(place_of_result(file, request_.folder));
   }
   if (!request_.lines.empty()) {
-    lines_.emplace(request_.lines, request_.window);
+    lines_.emplace(place_of_result(request_.lines, request_.folder).string(), request_.window);
   }
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "sim/fields/quantity.hpp"
+#include "sim/fields/time_text.hpp"
 #include "sim/trace/trace_formats.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -32,7 +32,7 @@ std::string trimmed(const std::string& text) {
 models::Instant instant_of(const std::string& time, const std::string& option) {
   models::Instant instant{};
   try {
-    instant = models::Instant(parse_quantity(time, WholeDimension::time));
+    instant = models::Instant(parse_time(time));
   } catch (const std::invalid_argument& error) {
     fail("--trace-window", option, error.what());
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct TraceOptions {
 /// What of a run is to be traced, and where to.
 struct TraceRequest {
   std::vector<std::string> files;  ///< as given; none: no accesses are traced
+  std::filesystem::path folder;    ///< of files that are given by a name alone
   std::string lines;               ///< file for the backplanes' lines; empty: they are not traced
   TraceWindow window;
   bool video = false;               ///< the video reader, too

@@ -383,3 +383,24 @@ TEST_CASE("a window after the frame gives an empty trace and says so") {
   CHECK(ChromeTraceReader(content_of(scratch / "t.json")).arrows.empty());
   CHECK(VcdReader(content_of(scratch / "t.vcd")).first >= 0);
 }
+
+TEST_CASE("Traces that are given by a name alone are among the run's results, others told of") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const std::string elsewhere = (scratch / "elsewhere.vcd").string();
+  const Outcome outcome = run_maquette(
+      "run " + scene + " --set frame_memory.width=24pixels --set frame_memory.height=18pixels " +
+      "--outdir " + (scratch / "run").string() +
+      " --trace bus.json --bus signal --trace-lines lines.vcd --trace " + elsewhere);
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const std::string manifest = content_of(scratch / "run" / "manifest.json");
+  for (const char* name : {"bus.json", "lines.vcd"}) {
+    INFO(name);
+    CHECK(std::filesystem::exists(scratch / "run" / name));
+    CHECK(manifest.find("\"" + std::string(name) + "\"") != std::string::npos);
+    CHECK(outcome.output.find((scratch / "run" / name).string()) != std::string::npos);
+  }
+  CHECK(std::filesystem::exists(elsewhere));
+  CHECK(outcome.output.find(elsewhere) != std::string::npos);
+}
