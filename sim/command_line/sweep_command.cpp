@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/plot_options.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/remark.hpp"
 #include "sim/report/run_directory.hpp"
@@ -38,7 +39,7 @@ struct SweepOptions {
   std::string study_file;
   std::string name;
   std::string outdir;
-  std::vector<std::string> plots;
+  PlotOptions plots;
   int jobs = 0;
   std::string point;
   std::string points;
@@ -62,10 +63,7 @@ void add_study_options(CLI::App& verb, SweepOptions& options) {
   verb.add_option("--sweep", options.study_file,
                   "study: the same, and plots; its file, or the name of a shipped one")
       ->type_name("FILE|STUDY");
-  verb.add_option("--plot", options.plots, "draw a column over another one (repeatable)")
-      ->type_name("X,Y[,SERIES]")
-      ->expected(1)
-      ->take_all();
+  add_plot_options(verb, options.plots);
   verb.add_option("--name", options.name, "name of the study")->type_name("NAME");
   verb.add_option("--outdir", options.outdir, "study directory (default: runs/NAME)")
       ->type_name("DIR");
@@ -138,8 +136,8 @@ Study study_of(const SweepOptions& options) {
   for (const std::string& text : options.common.overrides) {
     study.changes.push_back(parse_override(text));
   }
-  for (const std::string& text : options.plots) {
-    study.plots.push_back(parse_plot(text));
+  for (Plot& plot : plots_of(options.plots)) {
+    study.plots.push_back(std::move(plot));
   }
   if (!options.name.empty()) {
     check_file_name(options.name, node_of_option("--name", options.name).place, "name");
@@ -262,10 +260,10 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   return exit_code;
 }
 
-int merge(const std::string& path, const std::vector<std::string>& plots, bool quiet) {
+int merge(const std::string& path, const PlotOptions& plots, bool quiet) {
   Study study = read_study((std::filesystem::path(path) / k_study_file).string());
-  for (const std::string& text : plots) {
-    study.plots.push_back(parse_plot(text));
+  for (Plot& plot : plots_of(plots)) {
+    study.plots.push_back(std::move(plot));
   }
   std::vector<InputFile> input_files;
   inline_files(study, data_directory(), input_files);
@@ -294,17 +292,14 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
 
   struct MergeOptions {
     std::string directory;
-    std::vector<std::string> plots;
+    PlotOptions plots;
     bool quiet = false;
   };
   const auto merging = std::make_shared<MergeOptions>();
   CLI::App& merge_verb =
       *program.add_subcommand("merge", "gather the points of a sweep that was run in parts");
   merge_verb.add_option("DIR", merging->directory, "study directory")->required()->type_name("DIR");
-  merge_verb.add_option("--plot", merging->plots, "draw a column over another one (repeatable)")
-      ->type_name("X,Y[,SERIES]")
-      ->expected(1)
-      ->take_all();
+  add_plot_options(merge_verb, merging->plots);
   merge_verb.add_flag("--quiet", merging->quiet, "no summary");
   add_footer(merge_verb, {}, {"maquette merge runs/boards"});
   merge_verb.callback([merging, &exit_code] {

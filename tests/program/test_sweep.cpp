@@ -197,3 +197,19 @@ TEST_CASE("A sweep that is killed or interrupted goes on where it ended") {
   REQUIRE(run_maquette(options + "--outdir " + broken).exit_code == 0);
   check_same_study(whole, broken);
 }
+
+TEST_CASE("Plots asked for on the command line have logarithmic axes and a title") {
+  const ScratchDirectory scratch;
+  const Outcome outcome = sweep(
+      scratch,
+      "--vary processors=1,2,4 --plot processors,frame.time_s --log x,y --title 'How it speeds up'",
+      "out");
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const std::string script =
+      content_of(scratch / "out" / "plots" / "frame.time_s-over-processors.gp");
+  CHECK(std::regex_search(script, std::regex("How it speeds up")));
+  CHECK(std::regex_search(script, std::regex("logscale x")));
+  CHECK(std::regex_search(script, std::regex("logscale y")));
+  CHECK(sweep(scratch, "--vary processors=1,2 --log z", "other").exit_code != 0);
+}
