@@ -60,6 +60,16 @@ std::string board_lines(const Statistics& statistics) {
   return text;
 }
 
+/// The options that trace a wait, with as much before and after it, in whole microseconds.
+std::string window_around(const LongestWait& wait) {
+  constexpr models::Duration k_microsecond{1'000'000};
+  const std::int64_t around = 1 + wait.time / k_microsecond;
+  const std::int64_t from = wait.requested_at / k_microsecond - around;
+  const std::int64_t to = (wait.requested_at + wait.time) / k_microsecond + 1 + around;
+  return fmt::format("--trace bus.json --trace-window \"{} us..{} us\"",
+                     std::max<std::int64_t>(from, 0), to);
+}
+
 std::string bus_lines(const BusStatistics& bus) {
   std::string text = fmt::format(
       "\nbus             {} transfers, {:.3f} % busy; wait for grant: mean {}, longest {}\n",
@@ -75,8 +85,9 @@ std::string bus_lines(const BusStatistics& bus) {
                         readable_duration(master.wait_max));
   }
   if (bus.longest_wait.time.count() > 0) {
-    text += fmt::format("  longest wait    {} after {}, behind {}\n", bus.longest_wait.master,
-                        readable_duration(bus.longest_wait.requested_at), bus.longest_wait.behind);
+    text += fmt::format("  longest wait    {} after {}, behind {}; to look at it: {}\n",
+                        bus.longest_wait.master, readable_duration(bus.longest_wait.requested_at),
+                        bus.longest_wait.behind, window_around(bus.longest_wait));
   }
   text += fmt::format("  queue           mean {:.3g} requests, at most {}; fairness {:.4f}\n",
                       bus.queue.mean, bus.queue.longest, bus.fairness);
@@ -171,6 +182,17 @@ std::string function_lines(const FunctionStatistics& functions) {
   return text;
 }
 
+/// How the host's time stands to the machine's.
+std::string speed_of(double machine_s, double host_s) {
+  if (!(machine_s > 0)) {
+    return "in which no time of the machine passed";
+  }
+  const bool is_faster = machine_s >= host_s;
+  const double times = is_faster ? ratio(machine_s, host_s) : ratio(host_s, machine_s);
+  return fmt::format("{:.{}f} times {} than the machine", times, times < 10 ? 1 : 0,
+                     is_faster ? "faster" : "slower");
+}
+
 }  // namespace
 
 std::string summarise(const Statistics& statistics, const std::string& times_from,
@@ -179,8 +201,8 @@ std::string summarise(const Statistics& statistics, const std::string& times_fro
          fmt::format("times           from {}\n", times_from) + board_lines(statistics) +
          bus_lines(statistics.bus) + ray_lines(statistics) + root_lines(statistics.roots) +
          work_lines(statistics.work, clocks_of(statistics)) + function_lines(statistics.functions) +
-         fmt::format("\nhost            {:.2f} s, {:.0f} times faster than the machine\n",
-                     host_time_s, ratio(in_seconds(statistics.frame.time), host_time_s));
+         fmt::format("\nhost            {:.2f} s, {}\n", host_time_s,
+                     speed_of(in_seconds(statistics.frame.time), host_time_s));
 }
 
 }  // namespace maquette::sim

@@ -48,6 +48,19 @@ void add_value(Axis& axis, std::string text, YamlNode node) {
   axis.pieces.emplace_back(AxisValue{std::move(text), std::move(node)});
 }
 
+/// Refuses two whole numbers with a dash between them, which others write for a range.
+void refuse_dash(const std::string& text, const YamlPlace& place) {
+  constexpr const char* k_digits = "0123456789";
+  const std::size_t dash = text.find_first_not_of(k_digits);
+  if (dash == std::string::npos || dash == 0 || text[dash] != '-' || dash + 1 == text.size() ||
+      text.find_first_not_of(k_digits, dash + 1) != std::string::npos) {
+    return;
+  }
+  throw DescriptionError(place.position(), "`" + text + "` is no range; did you mean `" +
+                                               text.substr(0, dash) + ".." + text.substr(dash + 1) +
+                                               "`?");
+}
+
 /// Adds what a text stands for: ranges and values between commas.
 void add_text(Axis& axis, const std::string& text, const YamlPlace& place) {
   for (const Part& part : split(text)) {
@@ -61,6 +74,7 @@ void add_text(Axis& axis, const std::string& text, const YamlPlace& place) {
       axis.pieces.emplace_back(std::move(*range));
       continue;
     }
+    refuse_dash(part.text.substr(blanks), start);
     YamlNode node = parse_yaml(part.text.substr(blanks), *place.file, start.column);
     std::string value = text_of(node);
     add_value(axis, std::move(value), std::move(node));

@@ -201,6 +201,17 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t bytes_ = 0;
 };
 
+/// Whether there is a tab before all else but spaces in a line, counted from 0.
+bool is_indented_by_tab(const std::string& text, int line) {
+  std::istringstream lines{text};
+  std::string content;
+  for (int i = 0; i <= line; ++i) {
+    std::getline(lines, content);
+  }
+  const std::size_t first = content.find_first_not_of(' ');
+  return first != std::string::npos && content[first] == '\t';
+}
+
 }  // namespace
 
 YamlNode parse_yaml(const std::string& text, const std::string& file, int first_column) {
@@ -218,7 +229,9 @@ YamlNode parse_yaml(const std::string& text, const std::string& file, int first_
     }
     return root;
   } catch (const YAML::Exception& error) {
-    builder.fail(error.mark, error.msg);
+    builder.fail(error.mark, is_indented_by_tab(text, error.mark.line)
+                                 ? "a tab indents this line; spaces are allowed"
+                                 : error.msg);
   }
 }
 

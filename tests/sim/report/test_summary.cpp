@@ -51,6 +51,23 @@ TEST_CASE("the summary says what a user asks first") {
   CHECK_FALSE(contains(text, "PARTIAL"));
 }
 
+TEST_CASE("the summary says how fast the host was, also where it was slower") {
+  const Statistics statistics = example();
+  CHECK(contains(summarise(statistics, "", "", 100.0), "4.2 times faster than the machine"));
+  CHECK(contains(summarise(statistics, "", "", 4224.8), "10 times slower than the machine"));
+  CHECK(contains(summarise({}, "", "", 1.0), "no time of the machine passed"));
+}
+
+TEST_CASE("the summary shows how to look at the longest wait") {
+  Statistics statistics = example();
+  CHECK_FALSE(contains(summarise(statistics, "", "", 1.0), "--trace-window"));
+  statistics.bus.longest_wait = {9us, 334'010us, "board1", "board0"};
+  CHECK(contains(summarise(statistics, "", "", 1.0),
+                 "--trace bus.json --trace-window \"334000 us..334030 us\""));
+  statistics.bus.longest_wait = {9us, 1us, "board1", "board0"};
+  CHECK(contains(summarise(statistics, "", "", 1.0), "--trace-window \"0 us..21 us\""));
+}
+
 TEST_CASE("the summary tells of claims and a shared database only where there are any") {
   Statistics statistics = example();
   const std::string without = summarise(statistics, "a test", "", 1.0);

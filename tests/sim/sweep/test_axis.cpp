@@ -61,5 +61,8 @@ TEST_CASE("mistakes are reported where they stand") {
   CHECK(error_of_axis("bus..clock=1").find("--vary bus..clock=1:1:5: a name is missing") == 0);
   CHECK(error_of_axis("a=1,,2").find("--vary a=1,,2:1:5: a value is missing") == 0);
   CHECK(error_of_axis("a=1, 5..2").find("--vary a=1, 5..2:1:6: ") == 0);
+  CHECK(error_of_axis("a=4, 1-8").find("did you mean `1..8`?") != std::string::npos);
+  CHECK(error_of_axis("a=-8").empty());
+  CHECK(error_of_axis("a=m-8,1985-a,8-").empty());
   CHECK(error_of_axis("a=[1").find("--vary a=[1:1:") == 0);
 }

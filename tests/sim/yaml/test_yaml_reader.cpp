@@ -67,6 +67,13 @@ TEST_CASE("aliases of long texts count by their bytes") {
              ContainsSubstring("scene.yaml:2:") && ContainsSubstring("544 MiB of values"));
 }
 
+TEST_CASE("a tab that indents is told as one") {
+  CHECK_THAT(error_of("a:\n\tb: 1\n"), ContainsSubstring("a tab indents this line"));
+  CHECK_THAT(error_of("a:\n  \tb: 1\n"), ContainsSubstring("a tab indents this line"));
+  CHECK(error_of("a:\t1\n").empty());
+  CHECK_THAT(error_of("a: [1\n"), !ContainsSubstring("tab"));
+}
+
 TEST_CASE("a message shows the beginning of a long text") {
   const std::string name = parse_yaml(std::string(100'000, 'x'), "scene.yaml").kind_name();
   CHECK(name.size() < 200);
