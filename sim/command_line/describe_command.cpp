@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/key_help.hpp"
 #include "sim/database/scene_report.hpp"
 #include "sim/maps/map_table.hpp"
 #include "sim/report/statistics_description.hpp"
@@ -18,11 +19,16 @@ struct DescribeOptions {
   CommonOptions common;
   bool statistics = false;
   bool maps = false;
+  std::string keys;
 };
 
 void describe(const DescribeOptions& options) {
   if (options.statistics) {
     fmt::print("{}\n", describe_statistics());
+    return;
+  }
+  if (!options.keys.empty()) {
+    fmt::print("{}", key_help(options.keys));
     return;
   }
   if (options.maps) {
@@ -57,12 +63,17 @@ void add_describe_command(CLI::App& program) {
       verb.add_flag("--statistics", options->statistics, "explain the keys of stats.json instead");
   verb.add_flag("--maps", options->maps, "list the maps of a run (`run --map`) instead")
       ->excludes(statistics);
+  verb.add_option("--keys", options->keys,
+                  fmt::format("explain the keys of a part of descriptions instead: {}",
+                              fmt::join(explained_parts(), ", ")))
+      ->type_name("PART")
+      ->excludes(statistics);
   verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE");
   add_footer(verb, {},
              {"maquette describe photo4", "maquette describe ccett-1984",
-              "maquette describe --statistics"});
+              "maquette describe --statistics", "maquette describe --keys revolution"});
   verb.callback([options, statistics, &verb] {
-    if (!*statistics && !options->maps && options->common.scene.empty()) {
+    if (!*statistics && !options->maps && options->keys.empty() && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());
     }
     describe(*options);

@@ -10,6 +10,7 @@
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -148,6 +149,11 @@ const PrimitiveDescription& description_of<firmware::algebraic::Kind>() {
     return algebraic;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::algebraic::Kind>() {
+  return listed_keys<AlgebraicShape>();
 }
 
 }  // namespace maquette::sim

@@ -2,6 +2,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -23,6 +24,11 @@ const PrimitiveDescription& description_of<firmware::box::Kind>() {
     return box;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::box::Kind>() {
+  return listed_keys<BoxShape>();
 }
 
 }  // namespace maquette::sim

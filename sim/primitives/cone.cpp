@@ -5,6 +5,7 @@
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/cylinder.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -49,6 +50,11 @@ const PrimitiveDescription& description_of<firmware::cone::Kind>() {
     return cone;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::cone::Kind>() {
+  return listed_keys<ConeShape>();
 }
 
 }  // namespace maquette::sim

@@ -2,6 +2,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -36,6 +37,11 @@ const PrimitiveDescription& description_of<firmware::cylinder::Kind>() {
     return cylinder;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::cylinder::Kind>() {
+  return listed_keys<CylinderShape>();
 }
 
 }  // namespace maquette::sim

@@ -27,8 +27,11 @@ template <class Visitor>
 void declare_generatrix(Visitor& visitor, RevolutionShape& shape, std::string_view closed) {
   visitor.field(required("points", "points [r, z] of the generatrix"), shape.points,
                 k_profile_points);
-  visitor.field({"curve", "what the points are; b_spline where nothing is said"}, shape.curve,
-                generatrix_kinds());
+  visitor.field(
+      {"curve",
+       "what the points are; b_spline where nothing is said, whose open curve does not reach "
+       "the end points"},
+      shape.curve, generatrix_kinds());
   visitor.field({"closed", closed}, shape.closed, FlagType{});
   visitor.field({"displacements", "of the control points, by their names"}, shape.displacements,
                 DisplacementsType{});

@@ -2,6 +2,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -20,6 +21,11 @@ const PrimitiveDescription& description_of<firmware::half_space::Kind>() {
     return half_space;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::half_space::Kind>() {
+  return listed_keys<HalfSpaceShape>();
 }
 
 }  // namespace maquette::sim

@@ -13,6 +13,7 @@
 #include "sim/primitives/patch_nets.hpp"
 #include "sim/primitives/patch_order.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -315,6 +316,11 @@ const PrimitiveDescription& description_of<firmware::patches::Kind>() {
     return patches;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::patches::Kind>() {
+  return listed_keys<PatchesShape>();
 }
 
 }  // namespace maquette::sim

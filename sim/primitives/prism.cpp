@@ -6,6 +6,7 @@
 #include "sim/fields/field_reader.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/primitives/prism_edges.hpp"
 #include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
@@ -150,6 +151,11 @@ const PrimitiveDescription& description_of<firmware::prism::Kind>() {
     return prism;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::prism::Kind>() {
+  return listed_keys<PrismShape>();
 }
 
 }  // namespace maquette::sim

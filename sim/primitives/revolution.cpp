@@ -5,6 +5,7 @@
 #include "sim/primitives/generatrix_description.hpp"
 #include "sim/primitives/generatrix_frame.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -47,6 +48,11 @@ const PrimitiveDescription& description_of<firmware::revolution::Kind>() {
     return revolution;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::revolution::Kind>() {
+  return listed_keys<RevolutionShape>();
 }
 
 }  // namespace maquette::sim

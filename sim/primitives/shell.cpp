@@ -5,6 +5,7 @@
 #include "sim/primitives/generatrix_description.hpp"
 #include "sim/primitives/generatrix_frame.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 
 namespace maquette::sim {
 
@@ -48,6 +49,11 @@ const PrimitiveDescription& description_of<firmware::shell::Kind>() {
     return shell;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::shell::Kind>() {
+  return listed_keys<ShellShape>();
 }
 
 }  // namespace maquette::sim

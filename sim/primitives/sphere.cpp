@@ -4,6 +4,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -50,6 +51,11 @@ const PrimitiveDescription& description_of<firmware::sphere::Kind>() {
     return sphere;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::sphere::Kind>() {
+  return listed_keys<SphereShape>();
 }
 
 }  // namespace maquette::sim

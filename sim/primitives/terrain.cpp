@@ -8,6 +8,7 @@
 #include "sim/fields/declaration.hpp"
 #include "sim/fields/value_types.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -100,6 +101,11 @@ const PrimitiveDescription& description_of<firmware::terrain::Kind>() {
     return terrain;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::terrain::Kind>() {
+  return listed_keys<TerrainShape>();
 }
 
 }  // namespace maquette::sim

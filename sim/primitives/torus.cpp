@@ -2,6 +2,7 @@
 
 #include "firmware/primitives/primitive_table.hpp"
 #include "sim/primitives/primitive_description.hpp"
+#include "sim/primitives/primitive_keys.hpp"
 #include "sim/primitives/root_isolation.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -48,6 +49,11 @@ const PrimitiveDescription& description_of<firmware::torus::Kind>() {
     return torus;
   }();
   return k_description;
+}
+
+template <>
+std::vector<KeyRow> keys_of<firmware::torus::Kind>() {
+  return listed_keys<TorusShape>();
 }
 
 }  // namespace maquette::sim

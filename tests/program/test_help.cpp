@@ -31,3 +31,15 @@ TEST_CASE("a command is needed, and one that there is") {
 TEST_CASE("the version is told with the revision") {
   CHECK_THAT(run_maquette("--version").output, ContainsSubstring("maquette 1."));
 }
+
+TEST_CASE("the keys of every part are explained, and unknown parts answered with those there are") {
+  const Outcome unknown = run_maquette("describe --keys revolutoin");
+  CHECK(unknown.exit_code == 2);
+  CHECK_THAT(unknown.errors, ContainsSubstring("did you mean `revolution`?"));
+  for (const char* part : {"revolution", "patches", "surface", "light", "view", "study", "plot"}) {
+    INFO(part);
+    const Outcome outcome = run_maquette(std::string("describe --keys ") + part);
+    CHECK(outcome.exit_code == 0);
+    CHECK_THAT(outcome.output, ContainsSubstring("needed") && ContainsSubstring("Example: "));
+  }
+}
