@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "models/bus/wide.hpp"
 #include "sim/report/seconds.hpp"
 
 namespace maquette::sim {
@@ -24,14 +25,26 @@ std::enable_if_t<std::is_arithmetic_v<Value>, std::string> text_of(Value value) 
   return fmt::format("{}", value);
 }
 
-/// To the nearest picosecond, ties away from zero.
-models::Duration mean_of(models::Duration sum, std::int64_t count) {
-  return (sum + models::Duration(count / 2)) / count;
+/// What adds up a list's numbers: the sum of times and counts may have more than their 64 bits.
+template <typename Number>
+using Sum = std::conditional_t<std::is_floating_point_v<Number>, double, models::Wide>;
+
+void add(models::Duration value, models::Wide& sum) { sum += value.count(); }
+
+template <typename Number, typename Total>
+std::enable_if_t<std::is_arithmetic_v<Number>> add(Number value, Total& sum) {
+  sum += value;
 }
 
-template <typename Number>
-double mean_of(Number sum, std::int64_t count) {
-  return static_cast<double>(sum) / static_cast<double>(count);
+/// Times to the nearest picosecond, ties away from zero.
+template <typename Number, typename Total>
+auto mean_of(Total sum, std::size_t count) {
+  if constexpr (std::is_same_v<Number, models::Duration>) {
+    const auto parts = static_cast<models::Wide>(count);
+    return models::Duration(static_cast<models::Duration::rep>((sum + parts / 2) / parts));
+  } else {
+    return static_cast<double>(sum) / static_cast<double>(count);
+  }
 }
 
 class Lister {
@@ -99,16 +112,16 @@ class Lister {
       std::string mean;
       std::string greatest;
       if (!elements.empty()) {
-        Value sum{};
+        Sum<Value> sum{};
         const auto by_member = [member](const Element& first, const Element& second) {
           return first.*member < second.*member;
         };
         for (const Element& element : elements) {
-          sum += element.*member;
+          sim::add(element.*member, sum);
         }
         const auto [first, last] = std::minmax_element(elements.begin(), elements.end(), by_member);
         least = text_of((*first).*member);
-        mean = text_of(mean_of(sum, static_cast<std::int64_t>(elements.size())));
+        mean = text_of(mean_of<Value>(sum, elements.size()));
         greatest = text_of((*last).*member);
       }
       add(declared, ".min", least);

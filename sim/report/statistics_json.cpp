@@ -152,7 +152,11 @@ class Reader {
   std::enable_if_t<std::is_arithmetic_v<Number>> read(const std::string& path, Number& value) {
     const std::string text = take(path);
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (result.ec != std::errc() || result.ptr != text.data() + text.size()) {
+    bool is_right = result.ec == std::errc() && result.ptr == text.data() + text.size();
+    if constexpr (std::is_floating_point_v<Number>) {
+      is_right = is_right && std::isfinite(value);
+    }
+    if (!is_right) {
       fail(path, text, std::is_integral_v<Number> ? "a whole number" : "a number");
     }
   }

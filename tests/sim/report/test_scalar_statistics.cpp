@@ -36,6 +36,19 @@ TEST_CASE("scalars have the declared names, units and exact values") {
   CHECK(scalars.at("end_reason").text == "all boards are done");
 }
 
+TEST_CASE("means are right where the sum is longer than a time can be") {
+  Statistics statistics;
+  const maquette::models::Duration hundred_days(8'640'000'000'000'000'000);
+  statistics.boards.resize(256);
+  for (auto& board : statistics.boards) {
+    board.compute = hundred_days;
+    board.pixels = 9'000'000'000'000'000'000;
+  }
+  const auto scalars = by_name(statistics);
+  CHECK(scalars.at("boards.compute_s.mean").text == "8640000");
+  CHECK(scalars.at("boards.pixels.mean").text == "9e+18");
+}
+
 TEST_CASE("lists of groups give least, mean and greatest") {
   Statistics statistics;
   statistics.boards.resize(3);

@@ -109,4 +109,11 @@ TEST_CASE("a real that JSON cannot hold is refused") {
   Statistics statistics;
   statistics.bus.utilisation = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(statistics_json(statistics), std::invalid_argument);
+  const std::string text = statistics_json({});
+  for (const char* number : {"inf", "-inf", "nan"}) {
+    const std::string wrong =
+        replaced(text, "\"imbalance\": 0", "\"imbalance\": \"" + std::string(number) + "\"");
+    CHECK_THROWS_WITH(parse_statistics(wrong, "stats.json"),
+                      Catch::Matchers::ContainsSubstring("must be a number"));
+  }
 }
