@@ -93,10 +93,23 @@ configure() {
 build() {
   local preset=$1
   shift
+  build_as "$preset" "$( (($#)) && echo OFF || echo ON)" "$@"
+}
+
+# The same with the tests among the targets.
+build_with_tests() {
+  local preset=$1
+  shift
+  build_as "$preset" ON "$@"
+}
+
+build_as() {
+  local preset=$1 testing=$2
+  shift 2
   mkdir -p "$root/build"
   (
     flock 9
-    configure "$preset" "$( (($#)) && echo OFF || echo ON)"
+    configure "$preset" "$testing"
     quietly ninja --quiet -C "$root/build/$preset" -j "$(nproc)" "$@" ||
       fail "the build of $preset failed"
   ) 9>"$root/build/$preset.lock"
