@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "firmware/primitives/terrain_parameters.hpp"
+#include "firmware/primitives/terrain.hpp"
 #include "tools/benchmark/ray_timing.hpp"
 #include "tools/benchmark/rows.hpp"
 
