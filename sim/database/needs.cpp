@@ -4,6 +4,7 @@
 
 #include "firmware/facets/facet_table.hpp"
 #include "firmware/primitives/primitive_table.hpp"
+#include "sim/database/large_union.hpp"
 #include "sim/database/texture_packing.hpp"
 #include "sim/primitives/primitive_table.hpp"
 
@@ -29,18 +30,6 @@ bool combines_by(const ObjectTree& tree, firmware::BooleanOperator combination) 
       [combination](const firmware::Composite& c) { return c.combination == combination; });
 }
 
-/// The most bodies that unions within unions put together.
-std::size_t largest_union(const ObjectTree& tree) {
-  std::size_t largest = 0;
-  std::vector<std::size_t> sizes(tree.leaves.size(), 1);
-  for (const firmware::Composite& composite : tree.composites) {
-    const bool is_union = composite.combination == firmware::k_keeps_all;
-    sizes.push_back(is_union ? sizes[composite.children[0]] + sizes[composite.children[1]] : 1);
-    largest = std::max(largest, sizes.back());
-  }
-  return largest;
-}
-
 }  // namespace
 
 firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
@@ -53,7 +42,7 @@ firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
         needs.several_spans || !firmware::primitive_of<double>(leaf.kind).is_convex;
   }
   needs.unions = combines_by(tree, firmware::BooleanOperator::union_of);
-  needs.large_unions = largest_union(tree) >= k_large_union;
+  needs.large_unions = takes_boxes(tree);
   needs.intersections = combines_by(tree, firmware::BooleanOperator::intersection);
   needs.differences = combines_by(tree, firmware::BooleanOperator::difference);
   needs.diffuse = any_surface(surfaces, [](const Packed& s) { return s.specular < 1; });

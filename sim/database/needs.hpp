@@ -9,10 +9,6 @@
 
 namespace maquette::sim {
 
-/// Unions of so many bodies have their boxes tested; that many hardly fit into a board of 128 KiB,
-/// so boards that hold a scene work as the paper says.
-inline constexpr std::size_t k_large_union = 256;
-
 /// What of the firmware a scene needs; `surfaces` are those that its primitives have.
 firmware::Needs needs_of(const Scene& scene, const ObjectTree& tree,
                          const std::vector<firmware::Surface<double>>& surfaces);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/database/needs.hpp"
 #include "sim/primitives/sphere.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
@@ -45,10 +44,6 @@ Scene scattered(Random& random, int balls, int carved) {
   return scene;
 }
 
-bool has_large_union(const Scene& scene) {
-  return needs_of(scene, object_tree_of(scene), {}).large_unions;
-}
-
 struct LeafRange {
   NodeIndex first;
   NodeIndex end;
@@ -89,16 +84,6 @@ TEST_CASE("Every leaf of a tree keeps its own place and parent") {
     const auto& children = tree.composites[parent].children;
     CHECK((children[0] == leaf || children[1] == leaf));
   }
-}
-
-TEST_CASE("A union is large by the bodies that it unites") {
-  Random random(2203);
-  const int limit = static_cast<int>(k_large_union);
-  CHECK_FALSE(has_large_union(scattered(random, limit - 1, 0)));
-  CHECK(has_large_union(scattered(random, limit, 0)));
-  // A carved body is one body.
-  CHECK_FALSE(has_large_union(scattered(random, limit - 1, limit / 2)));
-  CHECK(has_large_union(scattered(random, limit, limit / 2)));
 }
 
 }  // namespace maquette::sim
