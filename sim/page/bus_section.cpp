@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "sim/page/bus_over_time.hpp"
 #include "sim/page/chart.hpp"
 #include "sim/page/figures.hpp"
 #include "sim/page/page_table.hpp"
@@ -102,7 +103,8 @@ Html queue(const Statistics& statistics) {
 
 Html bus_section(const RunResults& results) {
   const BusStatistics& bus = results.statistics.bus;
-  return figures_of(bus) + masters(bus) + wait_matrix(bus) + waits(bus) + queue(results.statistics);
+  return figures_of(bus) + bus_over_time(results) + masters(bus) + wait_matrix(bus) + waits(bus) +
+         queue(results.statistics);
 }
 
 }  // namespace maquette::sim

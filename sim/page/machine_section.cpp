@@ -117,7 +117,7 @@ Html machine_section(const RunResults& results) {
     content +=
         drawn_text(4, bus_y + 162, "A memory board on the bus holds the scene for all boards.");
   }
-  Html section = drawing(k_width, bus_y + 170, "Block diagram of the machine", content);
+  Html section = drawing(k_width + 12, bus_y + 170, "Block diagram of the machine", content);
   if (boards > k_most_boards) {
     section += paragraph(fmt::format("The first {} of {} boards are drawn; the tables have all.",
                                      k_most_boards, boards));

@@ -189,6 +189,31 @@ TEST_CASE("Maps of the pixels are layers of the picture, with the values of the 
   CHECK(data["zone"]["width"] == read.zone.width);
 }
 
+TEST_CASE("Use and waits over the frame sum to those of the pixels' boards") {
+  const ScratchDirectory scratch;
+  const auto directory = run_small(scratch, "run", "--report --set processors=6");
+  const Statistics statistics = statistics_of(directory);
+  const nlohmann::json chart =
+      data_of(content_of(directory / "report.html"), "bus-time-chart-data");
+  std::vector<double> sums;
+  for (const nlohmann::json& series : chart["series"]) {
+    const auto& points = series["points"];
+    sums.push_back(0);
+    for (const nlohmann::json& point : points) {
+      sums.back() += point["y"].get<double>() * in_seconds(statistics.frame.time) /
+                     static_cast<double>(points.size());
+    }
+  }
+  double transfer = 0;
+  double wait = 0;
+  for (const BoardStatistics& board : statistics.boards) {
+    transfer += in_seconds(board.transfer);
+    wait += in_seconds(board.wait_grant);
+  }
+  CHECK(std::abs(sums.at(0) - transfer) < 1e-3 * transfer);
+  CHECK(std::abs(sums.at(1) - wait) < 1e-3 * wait);
+}
+
 TEST_CASE("Several runs stand side by side with what differs") {
   const ScratchDirectory scratch;
   const auto first = run_small(scratch, "first");

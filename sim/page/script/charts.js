@@ -96,6 +96,31 @@ export function configuration(chart, palette, fill) {
   };
 }
 
+// The part of an axis that two sliders leave, as shares of its whole; never nothing.
+export function zoomed(low, high, from, to) {
+  const [first, last] = [Math.min(from, to), Math.max(from, to)];
+  const end = Math.max(last, first + 0.01);
+  return { min: low + first * (high - low), max: low + end * (high - low) };
+}
+
+// Two sliders that choose which part of the time a chart of lines shows.
+function addZoom(figure, document, onChange) {
+  const controls = document.createElement("div");
+  controls.className = "controls";
+  const sliders = [["From", 0], ["To", 1]].map(([name, value]) => {
+    const label = document.createElement("label");
+    const slider = document.createElement("input");
+    Object.assign(slider, { type: "range", min: 0, max: 1, step: 0.01, value });
+    label.append(`${name} `, slider);
+    controls.append(label);
+    return slider;
+  });
+  for (const slider of sliders) {
+    slider.addEventListener("input", () => onChange(...sliders.map((it) => Number(it.value))));
+  }
+  figure.append(controls);
+}
+
 function drawChart(figure, window, palette) {
   const chart = JSON.parse(figure.querySelector("script").textContent);
   const canvas = figure.querySelector("canvas");
@@ -110,6 +135,15 @@ export function drawCharts(document, window) {
   const figures = [...document.querySelectorAll("figure.chart")];
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
   let drawn = [];
+  figures.forEach((figure, place) => {
+    const chart = JSON.parse(figure.querySelector("script").textContent);
+    if (chart.kind !== "lines") return;
+    const times = chart.series.flatMap((series) => series.points.map((point) => point.x));
+    addZoom(figure, document, (from, to) => {
+      Object.assign(drawn[place].options.scales.x, zoomed(Math.min(...times), Math.max(...times), from, to));
+      drawn[place].update();
+    });
+  });
   const draw = (isDark) => {
     drawn.forEach((chart) => chart.destroy());
     drawn = figures.map((figure) => drawChart(figure, window, colours(isDark)));

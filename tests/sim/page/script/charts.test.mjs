@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import test from "node:test";
-import { colours, configuration, heightOf } from "../../../../sim/page/script/charts.js";
+import { colours, configuration, heightOf, zoomed } from "../../../../sim/page/script/charts.js";
 
 const bars = {
   kind: "bars", x_title: "s", y_title: "", logarithmic_x: false, logarithmic_y: false,
@@ -50,4 +50,11 @@ test("series differ in colour, filling and mark", () => {
 test("more bars take more room", () => {
   assert.ok(heightOf(bars) < heightOf({ ...bars, labels: ["a", "b", "c"] }));
   assert.ok(heightOf(marks) > 0);
+});
+
+test("two sliders leave a part of an axis, in either order, and never nothing", () => {
+  assert.deepEqual(zoomed(10, 20, 0, 1), { min: 10, max: 20 });
+  assert.deepEqual(zoomed(10, 20, 0.5, 0.25), { min: 12.5, max: 15 });
+  const least = zoomed(10, 20, 0.5, 0.5);
+  assert.ok(least.max > least.min);
 });
