@@ -63,8 +63,8 @@ std::vector<std::string> numbers_in(const std::string& text) {
 /// list.
 std::string told_figures(const Statistics& statistics) {
   const std::string summary = summarise(statistics, "", "", 0);
-  return std::regex_replace(summary.substr(0, summary.find("\nhost ")), std::regex("\nothers .*"),
-                            "");
+  return std::regex_replace(summary.substr(0, summary.find("\nhost ")),
+                            std::regex("\nothers .*|; to look at it: .*"), "");
 }
 
 nlohmann::json data_of(const std::string& page, const std::string& id) {
