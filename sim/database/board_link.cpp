@@ -7,8 +7,6 @@ namespace {
 constexpr unsigned k_byte_bits = 8;
 constexpr std::size_t k_word_bytes = 2;
 constexpr std::uint32_t k_long_bytes = 4;
-/// What is left out is at an odd address, to which no program can go.
-constexpr std::uint32_t k_nowhere = 1;
 
 void put_word(unsigned char* place, std::uint32_t word) {
   place[0] = static_cast<unsigned char>(word >> k_byte_bits);
@@ -36,7 +34,7 @@ void resolve_addresses(const firmware::CodePiece& piece, std::uint32_t bytes,
                                      ? program.package
                                      : program.addresses[pieces.target(address.piece)];
     if (address.offset + k_long_bytes <= bytes) {
-      put_long(place + address.offset, target == 0 ? k_nowhere : target + address.addend);
+      put_long(place + address.offset, target == k_left_out ? target : target + address.addend);
     }
   }
 }
@@ -48,14 +46,14 @@ LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
   LinkedProgram program{&code, base, 0, {}, {}};
   std::uint32_t end = base;
   for (const std::uint32_t bytes : pieces.bytes) {
-    program.addresses.push_back(bytes == 0 ? 0 : end);
+    program.addresses.push_back(bytes == 0 ? k_left_out : end);
     end += bytes;
   }
   program.package = end;
   program.bytes.resize(end - base);
   program.bytes.insert(program.bytes.end(), code.package.bytes.begin(), code.package.bytes.end());
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
-    if (program.addresses[i] != 0) {
+    if (program.addresses[i] != k_left_out) {
       unsigned char* const place = program.bytes.data() + (program.addresses[i] - base);
       copy_words(code, code.pieces[i], pieces.bytes[i], place);
       resolve_addresses(code.pieces[i], pieces.bytes[i], pieces, program, place);
@@ -66,16 +64,16 @@ LinkedProgram linked_program(std::uint32_t base, const BoardPieces& pieces) {
 
 std::uint32_t beginning_of(const LinkedProgram& program) {
   const std::uint32_t converting = address_of(program, "converting_program");
-  return converting != 0 ? converting : address_of(program, "board_program");
+  return converting != k_left_out ? converting : address_of(program, "board_program");
 }
 
 std::uint32_t address_of(const LinkedProgram& program, std::string_view name) {
   for (std::size_t i = 0; i < program.addresses.size(); ++i) {
-    if (program.code->pieces[i].name == name && program.addresses[i] != 0) {
+    if (program.code->pieces[i].name == name && program.addresses[i] != k_left_out) {
       return program.addresses[i];
     }
   }
-  return 0;
+  return k_left_out;
 }
 
 }  // namespace maquette::sim

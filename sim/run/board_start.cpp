@@ -74,7 +74,7 @@ firmware::BoardOrder board_order(const Machine& machine, const models::FrameSetu
 models::ProgramEntry program_entry(const BoardImage& image) {
   const std::uint32_t interlaced = address_of(image.program, "interlaced_synthesis");
   return {beginning_of(image.program), image.stack,
-          interlaced != 0 ? interlaced : address_of(image.program, "board_synthesis")};
+          interlaced != k_left_out ? interlaced : address_of(image.program, "board_synthesis")};
 }
 
 models::HostRoutines host_routines(const Machine& machine, const BoardImage& image) {

@@ -73,7 +73,8 @@ void add_conversions(std::uint32_t at, const firmware::ArithmeticPackage& packag
                }));
 }
 
-/// Where the firmware's elementary functions are in a board's RAM; 0 where a scene does without.
+/// Where the firmware's elementary functions are in a board's RAM; k_left_out where a scene does
+/// without.
 struct ElementaryAddresses {
   std::uint32_t exponential;
   std::uint32_t power;
@@ -103,7 +104,7 @@ auto compiled(Operation operation, firmware::Work& work, Compute compute) {
 template <class Format>
 void add_elementary(const ElementaryAddresses& at, NativeCalls& routines, firmware::Work& work) {
   const auto add = [&](std::uint32_t address, Operation operation, auto compute) {
-    if (address != 0) {
+    if (address != k_left_out) {
       routines.add(address, compiled<Format>(operation, work, compute));
     }
   };

@@ -33,20 +33,26 @@ Home home_of(const firmware::CodeAddress& address, const sim::LinkedProgram& pro
              : Home{program.addresses[address.piece], 2 * code.pieces[address.piece].words};
 }
 
+void check_addresses(const sim::LinkedProgram& program) {
+  const firmware::ProgramCode& code = *program.code;
+  for (std::size_t i = 0; i < code.pieces.size(); ++i) {
+    const firmware::CodePiece& piece = code.pieces[i];
+    for (std::uint32_t j = 0; j < piece.addresses; ++j) {
+      const firmware::CodeAddress& address = code.addresses[piece.first_address + j];
+      const std::uint32_t found = long_at(program, program.addresses[i] + address.offset);
+      const Home home = home_of(address, program);
+      CHECK(found >= home.first);
+      CHECK(found < home.first + home.bytes);
+    }
+  }
+}
+
 TEST_CASE("every address in the program of a board is that of what it names") {
   for (const firmware::NumberFormat numbers : k_formats) {
     const firmware::ProgramCode& code = sim::program_code(numbers);
     CHECK(code.numbers == numbers);
-    const sim::LinkedProgram program = sim::linked_program(0x2000, sim::all_pieces(code));
-    for (std::size_t i = 0; i < code.pieces.size(); ++i) {
-      const firmware::CodePiece& piece = code.pieces[i];
-      for (std::uint32_t j = 0; j < piece.addresses; ++j) {
-        const firmware::CodeAddress& address = code.addresses[piece.first_address + j];
-        const std::uint32_t found = long_at(program, program.addresses[i] + address.offset);
-        const Home home = home_of(address, program);
-        CHECK(found >= home.first);
-        CHECK(found < home.first + home.bytes);
-      }
+    for (const std::uint32_t base : {0U, 0x2000U}) {
+      check_addresses(sim::linked_program(base, sim::all_pieces(code)));
     }
   }
 }
@@ -78,12 +84,12 @@ TEST_CASE("what is left out takes no room, and who calls it comes to an odd addr
   pieces.bytes[static_cast<std::size_t>(piece - code.pieces.begin())] = 0;
   const sim::LinkedProgram part = sim::linked_program(0x2000, pieces);
   CHECK(all.bytes.size() - part.bytes.size() == 2 * piece->words);
-  CHECK(address_of(all, left_out) != 0);
-  CHECK(address_of(part, left_out) == 0);
+  CHECK(address_of(all, left_out) != sim::k_left_out);
+  CHECK(address_of(part, left_out) == sim::k_left_out);
   int calls = 0;
   for (std::size_t i = 0; i < code.pieces.size(); ++i) {
     const firmware::CodePiece& caller = code.pieces[i];
-    for (std::uint32_t j = 0; j < caller.addresses && part.addresses[i] != 0; ++j) {
+    for (std::uint32_t j = 0; j < caller.addresses && part.addresses[i] != sim::k_left_out; ++j) {
       const firmware::CodeAddress& address = code.addresses[caller.first_address + j];
       if (address.piece == static_cast<std::uint32_t>(piece - code.pieces.begin())) {
         ++calls;
