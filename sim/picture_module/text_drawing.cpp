@@ -6,7 +6,8 @@ namespace maquette::sim {
 
 namespace {
 
-constexpr const char* k_font = "DejaVuSans";
+/// The file of Debian's fonts-dejavu-core: OpenImageIO 2.5 does not look for names in its folder.
+constexpr const char* k_font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
 
 }  // namespace
 

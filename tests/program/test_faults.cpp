@@ -87,10 +87,14 @@ void kill_and_repeat(const std::string& verb, const std::string& options, int ki
   const int whole_ms = milliseconds_of(line("whole"));
   std::mt19937 random(1984);
   for (int i = 0; i < kills; ++i) {
-    kill_after(line("killed"), static_cast<int>(random() % static_cast<unsigned>(whole_ms + 1)));
     const fs::path results = scratch / "killed" / "results";
-    const bool is_there = fs::exists(results);
-    CHECK((verb == "sweep" || !is_there || fs::exists(results / "manifest.json")));
+    const bool was_there = fs::exists(results);
+    kill_after(line("killed"), static_cast<int>(random() % static_cast<unsigned>(whole_ms + 1)));
+    // Earlier results are replaced file by file, the manifest last.
+    const bool is_whole = fs::exists(results / "manifest.json");
+    CHECK((verb == "sweep" || was_there || is_whole == fs::exists(results)));
+    CHECK((verb == "sweep" || !is_whole ||
+           files_below(results) == files_below(scratch / "whole" / "results")));
   }
   REQUIRE(shell(line("killed")) == 0);
   CHECK(files_below(scratch / "killed") == files_below(scratch / "whole"));
