@@ -45,10 +45,11 @@ Html boards_drawing(const RunResults& results, double bus_y) {
       {boards.size(), results.description.machine.parameters.boards.size(), k_most_boards});
   Html content;
   for (std::size_t i = 0; i < shown; ++i) {
+    const std::size_t row = i / k_boards_in_row;
     const Box box{4 + static_cast<double>(i % k_boards_in_row) * (k_box_width + k_gap),
-                  4 + static_cast<double>(i / k_boards_in_row) * (k_board_height + k_gap),
-                  k_box_width, k_board_height - 10};
-    const double down = box.x + k_box_width + 2 + 3 * static_cast<double>(i / k_boards_in_row);
+                  4 + static_cast<double>(row) * (k_board_height + k_gap), k_box_width,
+                  k_board_height - 10};
+    const double down = box.x + k_box_width + 2 + 3 * static_cast<double>(row);
     content += drawn_line(box.x + k_box_width, box.y + 20, down, box.y + 20);
     content += drawn_line(down, box.y + 20, down, bus_y);
     content += labelled_box(box, "block", board_lines(results, boards[i], i));

@@ -27,6 +27,7 @@ std::string result_page(const std::vector<fs::path>& directories,
                         const std::string& data_directory) {
   if (directories.size() > 1) {
     std::vector<RunResults> runs;
+    runs.reserve(directories.size());
     for (const fs::path& directory : directories) {
       runs.push_back(run_results(read_run_files(directory), data_directory));
     }
