@@ -82,6 +82,7 @@ struct NamedTime {
 
 std::vector<NamedTime> function_times(const FunctionStatistics& functions) {
   std::vector<NamedTime> times;
+  times.reserve(static_cast<std::size_t>(k_told_function_count));
   for (int function = 0; function < k_told_function_count; ++function) {
     times.push_back({function_name(function),
                      functions.by_function.values[static_cast<std::size_t>(function)]});
