@@ -9,7 +9,7 @@
 namespace maquette::sim {
 namespace {
 
-/// "/home/me/photo4" becomes "photo4", "a=/b/c" becomes "a=c".
+/// "/elsewhere/photo4" becomes "photo4", "a=/b/c" becomes "a=c".
 std::string without_place(const std::string& argument) {
   const std::size_t value = argument.find('=') + 1;
   const std::filesystem::path path(argument.substr(value));
