@@ -83,6 +83,27 @@ TEST_CASE("frames of a sequence are those of their scenes, but for what need not
   }
 }
 
+/// Runs a sequence of three frames: the last one loads little, and its picture is that of its scene
+/// alone, not that of the first.
+void check_reloading(const ScratchDirectory& scratch, const std::string& sequence,
+                     const std::string& alone, const std::string& options) {
+  const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
+                                       (scratch / "all").string());
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const auto first = json_of(scratch / "all" / "stats-0000.json");
+  const auto last = json_of(scratch / "all" / "stats-0002.json");
+  CHECK(last["frame"]["load_s"].get<double>() > 0);
+  CHECK(last["frame"]["load_s"].get<double>() < first["frame"]["load_s"].get<double>() / 200);
+  REQUIRE(run_maquette("run " + alone + options + k_coarse + " --quiet --outdir " +
+                       (scratch / "alone").string())
+              .exit_code == 0);
+  CHECK(content_of(scratch / "all" / "frame-0002.png") ==
+        content_of(scratch / "alone" / "frame.png"));
+  CHECK(content_of(scratch / "all" / "frame-0002.png") !=
+        content_of(scratch / "all" / "frame-0000.png"));
+}
+
 TEST_CASE("where a point of a net moves the host loads it alone, and boards make the patches") {
   const ScratchDirectory scratch;
   const auto scene = [](const std::string& height, const std::string& more) {
@@ -102,22 +123,7 @@ TEST_CASE("where a point of a net moves the host loads it alone, and boards make
                              "1.3]}}\n"));
   for (const std::string options : {"", " --processor instruction"}) {
     CAPTURE(options);
-    const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
-                                         (scratch / "all").string());
-    INFO(outcome.errors);
-    REQUIRE(outcome.exit_code == 0);
-    const auto first = json_of(scratch / "all" / "stats-0000.json");
-    const auto last = json_of(scratch / "all" / "stats-0002.json");
-    CHECK(last["frame"]["load_s"].get<double>() > 0);
-    CHECK(last["frame"]["load_s"].get<double>() < first["frame"]["load_s"].get<double>() / 200);
-    const std::string alone = scratch.file("alone.yaml", scene("1.3", ""));
-    REQUIRE(run_maquette("run " + alone + options + k_coarse + " --quiet --outdir " +
-                         (scratch / "alone").string())
-                .exit_code == 0);
-    CHECK(content_of(scratch / "all" / "frame-0002.png") ==
-          content_of(scratch / "alone" / "frame.png"));
-    CHECK(content_of(scratch / "all" / "frame-0002.png") !=
-          content_of(scratch / "all" / "frame-0000.png"));
+    check_reloading(scratch, sequence, scratch.file("alone.yaml", scene("1.3", "")), options);
   }
 }
 
@@ -138,22 +144,7 @@ TEST_CASE("where control points move the host loads them alone, and boards conve
   for (const std::string options : {"", " --set board.database=shared", " --processor instruction",
                                     " --processor instruction --set board.database=shared"}) {
     CAPTURE(options);
-    const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
-                                         (scratch / "all").string());
-    INFO(outcome.errors);
-    REQUIRE(outcome.exit_code == 0);
-    const auto first = json_of(scratch / "all" / "stats-0000.json");
-    const auto last = json_of(scratch / "all" / "stats-0002.json");
-    CHECK(last["frame"]["load_s"].get<double>() > 0);
-    CHECK(last["frame"]["load_s"].get<double>() < first["frame"]["load_s"].get<double>() / 200);
-    const std::string alone = scratch.file("alone.yaml", scene("0.05", ""));
-    REQUIRE(run_maquette("run " + alone + options + k_coarse + " --quiet --outdir " +
-                         (scratch / "alone").string())
-                .exit_code == 0);
-    CHECK(content_of(scratch / "all" / "frame-0002.png") ==
-          content_of(scratch / "alone" / "frame.png"));
-    CHECK(content_of(scratch / "all" / "frame-0002.png") !=
-          content_of(scratch / "all" / "frame-0000.png"));
+    check_reloading(scratch, sequence, scratch.file("alone.yaml", scene("0.05", "")), options);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "sim/scene/description_loader.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
+#include "tests/sim/database/sample_objects.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -23,14 +24,6 @@ Object at(Primitive primitive, const Vector3& place) {
   Object object;
   object.primitive = std::move(primitive);
   object.placement[3] = place;
-  return object;
-}
-
-Object combined(BooleanOperator combination, std::vector<Object> children) {
-  Object object;
-  object.combination = combination;
-  object.surface = "matt";
-  object.children = std::move(children);
   return object;
 }
 

@@ -5,6 +5,7 @@
 #include "sim/primitives/sphere.hpp"
 #include "tests/catch.hpp"
 #include "tests/firmware/random_cases.hpp"
+#include "tests/sim/database/sample_objects.hpp"
 
 namespace maquette::sim {
 namespace {
@@ -18,14 +19,6 @@ Object ball_at(const Vector3& place) {
   ball.primitive = primitive_of(SphereShape{});
   ball.placement[3] = place;
   return ball;
-}
-
-Object combined(BooleanOperator combination, std::vector<Object> children) {
-  Object object;
-  object.combination = combination;
-  object.surface = "matt";
-  object.children = std::move(children);
-  return object;
 }
 
 /// A union of balls; `carved` of them less a ball each.
