@@ -129,14 +129,14 @@ inline Counted arc_cosine(Counted a) {
 
 template <>
 struct InFunction<Counted> {
-  explicit InFunction(Function function) : before_(counted_meter.first) {
+  explicit InFunction(Function function) : before_(counted_meter.cell) {
     counted_meter.enter_function(static_cast<std::uint32_t>(function));
   }
   InFunction(const InFunction&) = delete;
   InFunction& operator=(const InFunction&) = delete;
   InFunction(InFunction&&) = delete;
   InFunction& operator=(InFunction&&) = delete;
-  ~InFunction() { counted_meter.first = before_; }
+  ~InFunction() { counted_meter.cell = before_; }
 
  private:
   std::size_t before_;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -26,9 +27,14 @@ inline constexpr std::uint32_t k_waiting_rays = 1024;
 /// What a host thread's `Counted` arithmetic has done since the last reset. Here `add`, `subtract`,
 /// `multiply`, `divide` hold all operations, those with a zero operand too.
 struct CountedMeter {
-  std::uint64_t counts[k_cell_count * k_operation_count];
-  std::size_t first;                        ///< of the counts of the present cell
-  std::size_t first_of_ray;                 ///< of the counts of the present kind of ray
+  /// One struct each, so that compilers know its counts apart and add up what follows in a row.
+  struct alignas(16) Cell {
+    std::uint64_t counts[k_operation_count];
+  };
+
+  Cell cells[k_cell_count];
+  std::size_t cell;                         ///< the present one
+  std::size_t first_of_ray;                 ///< the first one of the present kind of ray
   std::uint32_t ray;                        ///< that RayKind
   std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
   RayKind shadow_ray;                       ///< towards the light that was asked last
@@ -38,26 +44,26 @@ struct CountedMeter {
   int root_steps_end;                                       ///< more than any of them took
 
   std::uint64_t& place(Operation operation) {
-    return counts[first + static_cast<std::size_t>(operation)];
+    return cells[cell].counts[static_cast<std::size_t>(operation)];
   }
 
   void enter_function(std::uint32_t function) {
-    first = first_of_ray + std::size_t{function} * k_operation_count;
+    cell = first_of_ray + function;
     entered[ray] |= std::uint64_t{1} << function;
   }
 
   /// In the function as it is.
   void enter_ray(std::uint32_t kind) {
-    const std::size_t in_ray = first - first_of_ray;
+    const std::size_t function = cell - first_of_ray;
     ray = kind;
-    first_of_ray = std::size_t{kind} * k_function_count * k_operation_count;
-    first = first_of_ray + in_ray;
-    entered[kind] |= std::uint64_t{1} << (in_ray / k_operation_count);
+    first_of_ray = std::size_t{kind} * k_function_count;
+    cell = first_of_ray + function;
+    entered[kind] |= std::uint64_t{1} << function;
   }
 
   /// Whether a ray is being intersected with a primitive.
   [[nodiscard]] bool is_in_intersection() const {
-    return first - first_of_ray >= std::size_t{k_fixed_function_count} * k_operation_count;
+    return cell - first_of_ray >= std::size_t{k_fixed_function_count};
   }
 
   /// Calls `visit(cell, counts)` for each cell that may have been counted in.
@@ -67,26 +73,39 @@ struct CountedMeter {
       // The cell outside of every function is never entered.
       std::uint64_t left = entered[kind] | static_cast<std::uint64_t>(kind == 0);
       for (; left != 0; left &= left - 1) {
-        const std::uint32_t cell =
+        const std::uint32_t visited =
             kind * k_function_count + static_cast<std::uint32_t>(__builtin_ctzll(left));
-        visit(cell, counts + std::size_t{cell} * k_operation_count);
+        visit(visited, cells[visited].counts);
       }
     }
   }
 
   [[nodiscard]] LongWork sum() {
-    LongWork sum{};
-    for_each_cell([&sum](std::uint32_t /*cell*/, const std::uint64_t* cell_counts) {
-      for (int i = 0; i < k_operation_count; ++i) {
-        sum.counts[i] += cell_counts[i];
-      }
+    const Cell* visited[k_cell_count];
+    int end = 0;
+    for_each_cell([&](std::uint32_t place, const std::uint64_t* /*counts*/) {
+      visited[end++] = cells + place;
     });
-    return sum;
+    constexpr int k_in_registers = 12;
+    static_assert(k_operation_count % k_in_registers == 0);
+    LongWork work{};
+    for (int first = 0; first < k_operation_count; first += k_in_registers) {
+      std::uint64_t sums[k_in_registers]{};
+      for (int i = 0; i < end; ++i) {
+        for (int j = 0; j < k_in_registers; ++j) {
+          sums[j] += visited[i]->counts[first + j];
+        }
+      }
+      for (int j = 0; j < k_in_registers; ++j) {
+        work.counts[first + j] = sums[j];
+      }
+    }
+    return work;
   }
 
   /// Outside of every function.
   void reset() {
-    for_each_cell([](std::uint32_t /*cell*/, std::uint64_t* cell_counts) {
+    for_each_cell([](std::uint32_t /*visited*/, std::uint64_t* cell_counts) {
       for (int i = 0; i < k_operation_count; ++i) {
         cell_counts[i] = 0;
       }
@@ -119,18 +138,29 @@ Counts general_apart(Counts counts) {
   return counts;
 }
 
+/// Says which count does not fit 32 bits.
+[[noreturn]] inline void throw_too_many(const LongWork& counts) {
+  int i = 0;
+  while (counts.counts[i] <= std::numeric_limits<std::uint32_t>::max()) {
+    ++i;
+  }
+  throw std::overflow_error(
+      std::string("a pixel, or what precedes all pixels, takes ") +
+      std::to_string(counts.counts[i]) + " of `" + k_operation_names[i] +
+      "`, and 4294967295 can be counted; a smaller ray_tree.depth, fewer samples, lights or "
+      "bodies take less");
+}
+
 /// The counts in 32 bits. Throws std::overflow_error when one does not fit.
 inline Work narrowed(const LongWork& counts) {
   Work work{};
+  std::uint64_t bits = 0;
   for (int i = 0; i < k_operation_count; ++i) {
     work.counts[i] = static_cast<std::uint32_t>(counts.counts[i]);
-    if (work.counts[i] != counts.counts[i]) {
-      throw std::overflow_error(
-          std::string("a pixel, or what precedes all pixels, takes ") +
-          std::to_string(counts.counts[i]) + " of `" + k_operation_names[i] +
-          "`, and 4294967295 can be counted; a smaller ray_tree.depth, fewer samples, lights or "
-          "bodies take less");
-    }
+    bits |= counts.counts[i];
+  }
+  if (bits > std::numeric_limits<std::uint32_t>::max()) {
+    throw_too_many(counts);
   }
   return work;
 }
