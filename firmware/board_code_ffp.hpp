@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "84dff66f99e99065980a6afd332f73ead7139386";
+inline constexpr const char* k_firmware_version = "4fc58c0dffcc42b288cb1ebc5a253397494d98ff";
 
 inline constexpr CodePiece k_pieces[] = {
     {"converting_program", 0, 78, 0, 2, 40},
