@@ -20,6 +20,7 @@ std::int32_t crossings_of_hits(const RayQuery<Real>& query, NodeIndex node, Surf
       continue;
     }
     charge<Real>(Operation::span);
+    returns_also<Real>(2 * messages::k_hit);
     first[count++] = {in.distance, node, in.face, false, surface};
     first[count++] = {out.distance, node, out.face, true, k_void};
   }
@@ -31,6 +32,9 @@ template <int limit, Projection projection, class Real>
 [[gnu::always_inline]] inline std::int32_t cross_primitive(const Frame<Real>& frame,
                                                            const RayQuery<Real>& query,
                                                            NodeIndex node, Crossing<Real>* first) {
+  const InLeg<Real> leg(
+      Stage::intersection, [&frame, &query] { return messages::of_intersection(frame, query); },
+      static_cast<int>(frame.database.leaves[node].kind));
   const InFunction<Real> here(intersection_of(frame.database.leaves[node].kind));
   charge<Real>(Operation::leaf);
   const Leaf<Real>& leaf = frame.database.leaves[node];

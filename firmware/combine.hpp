@@ -1,6 +1,7 @@
 #pragma once
 
 #include "firmware/face_point.hpp"
+#include "firmware/messages.hpp"
 #include "firmware/preprocess.hpp"
 
 /// Boolean combination of the crossings of two operands (paper, section II.2; Roth 1982).
@@ -160,6 +161,9 @@ template <class Real>
 [[gnu::noinline]] std::int32_t combine(const Frame<Real>& frame, const RayQuery<Real>& query,
                                        BooleanOperator combination, Crossing<Real>* first,
                                        std::int32_t a_count, std::int32_t b_count) {
+  const InLeg<Real> leg(Stage::combination, [&frame, &query, a_count, b_count] {
+    return messages::of_combination(frame, query, a_count + b_count);
+  });
   const InFunction<Real> here(Function::combination);
   charge<Real>(Operation::combination);
   const Surface<Real>* surfaces = frame.database.surfaces;
@@ -180,6 +184,7 @@ template <class Real>
   for (std::int32_t i = 0; i < count; ++i) {
     first[i] = result[i];
   }
+  returns_also<Real>(messages::k_crossing * count);
   return count;
 }
 

@@ -99,6 +99,7 @@ template <class Real>
 template <class Real>
 std::int32_t cross_scene(const Frame<Real>& frame, const RayQuery<Real>& query,
                          Crossing<Real>* first) {
+  const InLeg<Real> leg(Stage::extents, [&] { return messages::of_walk(frame, query); });
   const InFunction<Real> here(Function::classification);
   return frame.database.needs.large_unions ? cross_ahead(frame, query, first)
                                            : cross(frame, query, frame.database.root, first);

@@ -44,6 +44,7 @@ std::int32_t spawn_reflected(const Frame<Real>& frame, const SurfacePoint<Real>&
   stack[height] = {
       {departure(point), normalize(direction)}, weight, depth, point.before, left_behind(point)};
   WaitingRays<Real>::put(height, RayKind::reflected);
+  returns_also<Real>(messages::k_pending_ray);
   return height + 1;
 }
 
@@ -65,6 +66,7 @@ template <class Real>
                    point.after,
                    far_left_behind(point)};
   WaitingRays<Real>::put(height, RayKind::refracted);
+  returns_also<Real>(messages::k_pending_ray);
   return height + 1;
 }
 
@@ -112,6 +114,9 @@ Color<Real> follow(const Frame<Real>& frame, const RayQuery<Real>& query,
   charge<Real>(Operation::ray);
   const Database<Real>& database = frame.database;
   const std::int32_t count = cross_scene(frame, query, area.crossings);
+  const InLeg<Real> leg(Stage::photometry, [&frame, &query, count] {
+    return messages::of_photometry(frame, query, count);
+  });
   SurfaceIndex before = k_void;
   const std::int32_t first = first_ahead(frame, query, area.crossings, count, before);
   if (first == count) {

@@ -46,6 +46,8 @@ template <class Real>
 [[gnu::noinline]] bool pass_crossings(const Frame<Real>& frame, const RayQuery<Real>& query,
                                       const Crossing<Real>* crossings, std::int32_t count,
                                       Color<Real>& light) {
+  const InLeg<Real> leg(Stage::photometry,
+                        [&] { return messages::of_passage(frame, query, count); });
   const InFunction<Real> here(Function::photometry);
   const Surface<Real>* surfaces = frame.database.surfaces;
   SurfaceIndex medium = k_void;
@@ -114,10 +116,11 @@ template <class Real>
 template <class Real>
 bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, NodeIndex left_behind,
              SurfaceIndex medium, Crossing<Real>* area, Color<Real>& light) {
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   const InRay<Real> towards(LightAsked<Real>::shadow_ray());
+  const InLeg<Real> leg(Stage::extents, [&] { return messages::of_walk(frame, query); });
   const InFunction<Real> here(Function::classification);
   charge<Real>(Operation::shadow_ray);
-  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   return pass_node(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
                    frame.database.root, area, light);
 }
@@ -127,10 +130,11 @@ bool reaches(const Frame<Real>& frame, const Ray<Real>& ray, Real distance, Node
 template <class Real>
 bool reaches_freely(const Frame<Real>& frame, const Ray<Real>& ray, Real distance,
                     NodeIndex left_behind, SurfaceIndex medium, Crossing<Real>* area) {
+  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   const InRay<Real> towards(LightAsked<Real>::shadow_ray());
+  const InLeg<Real> leg(Stage::extents, [&] { return messages::of_walk(frame, query); });
   const InFunction<Real> here(Function::classification);
   charge<Real>(Operation::shadow_ray);
-  const RayQuery<Real> query{ray, distance, false, 0, 0, left_behind, medium};
   const std::int32_t count =
       cross(frame, frame.database.needs.large_unions ? against_boxes(query) : query,
             frame.database.root, area);

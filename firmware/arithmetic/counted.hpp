@@ -159,6 +159,32 @@ struct InRay<Counted> {
 };
 
 template <>
+struct InLeg<Counted> {
+  template <class Messages>
+  InLeg(Stage stage, const Messages& messages, int primitive = 0) {
+    if (counted_meter.listener != nullptr) {
+      counted_meter.listener->begin(counted_meter.listener->self, stage, primitive, messages());
+    }
+  }
+  InLeg(const InLeg&) = delete;
+  InLeg& operator=(const InLeg&) = delete;
+  InLeg(InLeg&&) = delete;
+  InLeg& operator=(InLeg&&) = delete;
+  ~InLeg() {
+    if (counted_meter.listener != nullptr) {
+      counted_meter.listener->end(counted_meter.listener->self);
+    }
+  }
+};
+
+template <>
+inline void returns_also<Counted>(int words) {
+  if (counted_meter.listener != nullptr) {
+    counted_meter.listener->returns_also(counted_meter.listener->self, words);
+  }
+}
+
+template <>
 struct LightAsked<Counted> {
   static void put(int light) { counted_meter.shadow_ray = shadow_of(light); }
   static RayKind shadow_ray() { return counted_meter.shadow_ray; }

@@ -8,6 +8,7 @@
 
 #include "firmware/arithmetic/extent_use.hpp"
 #include "firmware/arithmetic/function.hpp"
+#include "firmware/arithmetic/leg.hpp"
 #include "firmware/arithmetic/root_steps.hpp"
 #include "firmware/arithmetic/work.hpp"
 
@@ -35,7 +36,9 @@ struct CountedMeter {
   Cell cells[k_cell_count];
   std::size_t cell;                         ///< the present one
   std::size_t first_of_ray;                 ///< the first one of the present kind of ray
+  const LegListener* listener;              ///< to legs, if there is one
   std::uint32_t ray;                        ///< that RayKind
+  std::uint32_t rays_entered;               ///< a bit for each since a listener has cleared them
   std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
   RayKind shadow_ray;                       ///< towards the light that was asked last
   RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
@@ -56,6 +59,7 @@ struct CountedMeter {
   void enter_ray(std::uint32_t kind) {
     const std::size_t function = cell - first_of_ray;
     ray = kind;
+    rays_entered |= std::uint32_t{1} << kind;
     first_of_ray = std::size_t{kind} * k_function_count;
     cell = first_of_ray + function;
     entered[kind] |= std::uint64_t{1} << function;

@@ -4,18 +4,12 @@
 #include <vector>
 
 #include "firmware/arithmetic/function.hpp"
+#include "firmware/arithmetic/leg.hpp"
 #include "firmware/arithmetic/work.hpp"
 
 namespace maquette::models {
 
-/// The stages of a pixel's process, by which machines with function units share it out.
-enum class Stage : std::uint8_t {
-  board,         ///< what only the board that has the pixel does: its rays, its colour
-  extents,       ///< rays compared with rectangles, spheres and boxes, and the way to leaves
-  intersection,  ///< of rays with primitives
-  combination,   ///< of segments by Boolean operators
-  photometry     ///< visible points with their normals, luminance, directions of secondary rays
-};
+using firmware::Stage;
 
 inline constexpr int k_stage_count = static_cast<int>(Stage::photometry) + 1;
 
@@ -28,7 +22,7 @@ struct PixelLeg {
   Stage stage;
   firmware::RayKind ray;
   std::uint8_t primitive;     ///< its kind, of an intersection; else 0
-  std::uint16_t numbers_in;   ///< real numbers and indices handed to whoever does it
+  std::uint16_t numbers_in;   ///< handed to whoever does it, in words of 32 bits; of `board` 0
   std::uint16_t numbers_out;  ///< and handed back
   firmware::Work work;
 };

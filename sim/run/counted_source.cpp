@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/run/pixel_run.hpp"
 
@@ -22,8 +23,11 @@ constexpr std::size_t k_blocks_ahead = 8;
 }  // namespace
 
 CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const Machine& machine,
-                             int threads)
-    : threads_(threads), arena_(threads), areas_([this] { return Area(frame().database); }) {
+                             int threads, LegsOfPixels legs)
+    : told_(legs),
+      threads_(threads),
+      arena_(threads),
+      areas_([this] { return Area(frame().database); }) {
   firmware::reset_counted_work();
   scene_ = std::make_unique<PreparedScene<firmware::Counted>>(scene);
   preprocessing_ = firmware::counted_work();
@@ -32,7 +36,7 @@ CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const 
   allotment_ = std::make_unique<models::PixelAllotment>(parameters.allotment, useful_zone(),
                                                         static_cast<int>(parameters.boards.size()));
   for (std::int64_t first = 0; first < allotment_->pixels(); first += k_block_pixels) {
-    blocks_.push_back({{}, std::min(k_block_pixels, allotment_->pixels() - first)});
+    blocks_.push_back({{}, {}, std::min(k_block_pixels, allotment_->pixels() - first)});
   }
 }
 
@@ -47,9 +51,14 @@ const models::SynthesizedPixel& CountedSource::pixel(std::int64_t index) {
   if (block.waits()) {
     synthesise_from(number);
   }
-  taken_ = block.pixels[static_cast<std::size_t>(index % k_block_pixels)];
+  const auto place = static_cast<std::size_t>(index % k_block_pixels);
+  taken_ = block.pixels[place];
+  if (told_ == LegsOfPixels::told) {
+    legs_ = std::move(block.legs[place]);
+  }
   if (--block.left == 0) {
     block.pixels = {};
+    block.legs = {};
   }
   return taken_;
 }
@@ -87,12 +96,15 @@ void CountedSource::synthesise_from(std::size_t first) {
 
 void CountedSource::synthesise(std::size_t block) {
   const firmware::WorkArea<firmware::Counted> view = areas_.local().view();
-  PixelRun run(by_function_.local());
+  PixelRun run(by_function_.local(), told_);
   std::vector<models::SynthesizedPixel>& pixels = blocks_[block].pixels;
   pixels.resize(static_cast<std::size_t>(blocks_[block].left));
   std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
   for (models::SynthesizedPixel& synthesised : pixels) {
     synthesised = run.pixel(frame(), view, allotment_->position(index++));
+    if (told_ == LegsOfPixels::told) {
+      blocks_[block].legs.push_back(run.legs());
+    }
   }
 }
 

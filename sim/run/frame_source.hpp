@@ -12,4 +12,7 @@ class FrameSource : public models::PixelSource {
   [[nodiscard]] virtual FrameWork work_by_function() const = 0;
 };
 
+/// Whether a source tells the legs of its pixels: it has more to do and to keep then.
+enum class LegsOfPixels { untold, told };
+
 }  // namespace maquette::sim

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <vector>
+
 #include "sim/record/function_work.hpp"
 #include "sim/run/counted_pixel.hpp"
+#include "sim/run/frame_source.hpp"
+#include "sim/run/leg_teller.hpp"
 
 namespace maquette::sim {
 
@@ -10,18 +15,32 @@ namespace maquette::sim {
 class PixelRun {
  public:
   /// The sum is kept by reference.
-  explicit PixelRun(FunctionWork& sum) : sum_(sum) { firmware::reset_counted_work(); }
+  PixelRun(FunctionWork& sum, LegsOfPixels legs) : sum_(sum) {
+    firmware::reset_counted_work();
+    if (legs == LegsOfPixels::told) {
+      teller_.emplace();
+    }
+  }
   PixelRun(const PixelRun&) = delete;
   PixelRun& operator=(const PixelRun&) = delete;
   PixelRun(PixelRun&&) = delete;
   PixelRun& operator=(PixelRun&&) = delete;
-  ~PixelRun() { sum_.add(firmware::counted_meter); }
+  ~PixelRun() {
+    teller_.reset();  // which has some of the meter's cells while a pixel is not over
+    sum_.add(firmware::counted_meter);
+  }
 
   /// The next pixel.
   models::SynthesizedPixel pixel(const firmware::Frame<firmware::Counted>& frame,
                                  const firmware::WorkArea<firmware::Counted>& area,
                                  const models::PixelPosition& position) {
+    if (teller_) {
+      teller_->start();
+    }
     models::SynthesizedPixel result = pixel_without_work(frame, area, position);
+    if (teller_) {
+      legs_ = teller_->take();
+    }
     const firmware::LongWork now = firmware::long_counted_work();
     firmware::LongWork since{};
     for (int i = 0; i < firmware::k_operation_count; ++i) {
@@ -32,6 +51,9 @@ class PixelRun {
     return result;
   }
 
+  /// The legs of the last pixel, where they are told.
+  [[nodiscard]] const std::vector<models::PixelLeg>& legs() const { return legs_; }
+
   /// Adds what was counted to the sum, so that the meter shows what comes next alone.
   void settle() {
     sum_.add(firmware::counted_meter);
@@ -41,6 +63,8 @@ class PixelRun {
 
  private:
   FunctionWork& sum_;
+  std::optional<LegTeller> teller_;
+  std::vector<models::PixelLeg> legs_;
   firmware::LongWork before_{};
 };
 

@@ -1,0 +1,151 @@
+#include "sim/run/leg_teller.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace maquette::sim {
+
+namespace {
+
+using firmware::counted_meter;
+
+std::uint16_t words_of(int words) {
+  constexpr int k_most = std::numeric_limits<std::uint16_t>::max();
+  return static_cast<std::uint16_t>(std::min(words, k_most));
+}
+
+/// Calls `visit` with the cell of each function of a kind of ray that has a bit.
+template <class Visit>
+void for_each_cell(std::uint32_t kind, std::uint64_t functions, Visit visit) {
+  for (; functions != 0; functions &= functions - 1) {
+    const auto function = static_cast<std::uint32_t>(__builtin_ctzll(functions));
+    visit(std::size_t{kind} * firmware::k_function_count + function);
+  }
+}
+
+/// The next part begins in it without entering it.
+void mark_present_cell() {
+  const std::size_t function = counted_meter.cell - counted_meter.first_of_ray;
+  counted_meter.entered[counted_meter.ray] |= std::uint64_t{1} << function;
+}
+
+}  // namespace
+
+LegTeller::LegTeller()
+    : listener_{this,
+                [](void* self, firmware::Stage stage, int primitive,
+                   const firmware::LegMessages& messages) {
+                  static_cast<LegTeller*>(self)->begin(stage, primitive, messages);
+                },
+                [](void* self, int words) {
+                  static_cast<LegTeller*>(self)->parts_.back().messages.returned += words;
+                },
+                [](void* self) { static_cast<LegTeller*>(self)->end(); }},
+      told_(firmware::k_cell_count),
+      parts_(1) {
+  if (counted_meter.listener != nullptr) {
+    throw std::logic_error("the legs of a thread have two tellers");
+  }
+  counted_meter.listener = &listener_;
+}
+
+LegTeller::~LegTeller() {
+  give_back();
+  counted_meter.listener = nullptr;
+}
+
+void LegTeller::start() {
+  mark_present_cell();
+  for (std::uint32_t kind = 0; kind < firmware::k_ray_kind_count; ++kind) {
+    for_each_cell(kind, known_[kind] | counted_meter.entered[kind],
+                  [this](std::size_t cell) { told_[cell] = counted_meter.cells[cell]; });
+    known_[kind] = counted_meter.entered[kind];
+  }
+  counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
+  parts_.assign(1, {});
+  legs_.clear();
+}
+
+const std::vector<models::PixelLeg>& LegTeller::take() {
+  cut(0);
+  give_back();
+  return legs_;
+}
+
+void LegTeller::begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages) {
+  cut(parts_.back().messages.asked);
+  parts_.push_back({stage, primitive, static_cast<firmware::RayKind>(counted_meter.ray), messages,
+                    messages.given, 0});
+}
+
+void LegTeller::end() {
+  cut(parts_.back().messages.returned);
+  parts_.pop_back();
+  parts_.back().handed_in = parts_.back().messages.resumed;
+}
+
+/// What was counted since the last cut becomes a leg of the innermost part.
+void LegTeller::cut(int handed_out) {
+  Part& part = parts_.back();
+  firmware::LongWork work{};
+  if (!take_work(part, work)) {
+    return;
+  }
+  // The board's own leg is that of the ray to which it leads.
+  const auto ray = part.stage == firmware::Stage::board
+                       ? static_cast<firmware::RayKind>(counted_meter.ray)
+                       : part.ray;
+  if (part.last_leg == 0 || part.last_leg != legs_.size()) {
+    legs_.push_back({part.stage,
+                     ray,
+                     static_cast<std::uint8_t>(part.primitive),
+                     words_of(part.handed_in),
+                     0,
+                     {}});
+    part.last_leg = legs_.size();
+  }
+  models::PixelLeg& leg = legs_.back();
+  leg.ray = ray;
+  leg.numbers_out = words_of(handed_out);
+  for (int i = 0; i < firmware::k_operation_count; ++i) {
+    leg.work.counts[i] += static_cast<std::uint32_t>(work.counts[i]);
+  }
+}
+
+/// Takes what was counted since the last time; false when that is nothing. A part counts in the
+/// cells that were entered while it was the innermost one, for it returns to no other.
+bool LegTeller::take_work(Part& part, firmware::LongWork& work) {
+  std::uint64_t any = 0;
+  for (std::uint32_t rays = counted_meter.rays_entered; rays != 0; rays &= rays - 1) {
+    const auto kind = static_cast<std::uint32_t>(__builtin_ctz(rays));
+    part.cells[kind] |= counted_meter.entered[kind];
+    entered_[kind] |= counted_meter.entered[kind];
+    counted_meter.entered[kind] = 0;
+    for_each_cell(kind, part.cells[kind], [&](std::size_t cell) {
+      const std::uint64_t* const counts = counted_meter.cells[cell].counts;
+      std::uint64_t* const told = told_[cell].counts;
+      for (std::size_t i = 0; i < firmware::k_operation_count; ++i) {
+        const std::uint64_t more = counts[i] - told[i];
+        work.counts[i] += more;
+        any |= more;
+        told[i] = counts[i];
+      }
+    });
+  }
+  counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
+  mark_present_cell();
+  work = firmware::general_apart(work);
+  return any != 0;
+}
+
+/// The meter's own cells as they would be without a teller.
+void LegTeller::give_back() {
+  for (std::uint32_t kind = 0; kind < firmware::k_ray_kind_count; ++kind) {
+    counted_meter.entered[kind] |= entered_[kind];
+    known_[kind] |= entered_[kind];
+    entered_[kind] = 0;
+  }
+}
+
+}  // namespace maquette::sim

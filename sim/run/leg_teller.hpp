@@ -1,0 +1,60 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "firmware/arithmetic/counted.hpp"
+#include "models/unit/pixel_leg.hpp"
+
+namespace maquette::sim {
+
+/// Tells the legs of the pixels that this thread synthesises while it exists: what is counted from
+/// one marker of the firmware to the next. One a thread. Between `start` and `take` the meter is
+/// not to be asked, nor reset.
+class LegTeller {
+ public:
+  LegTeller();
+  LegTeller(const LegTeller&) = delete;
+  LegTeller& operator=(const LegTeller&) = delete;
+  LegTeller(LegTeller&&) = delete;
+  LegTeller& operator=(LegTeller&&) = delete;
+  ~LegTeller();
+
+  /// A pixel begins, from what the meter has counted so far.
+  void start();
+  /// The legs of the pixel, which is over. A part that counted nothing makes none, and what the one
+  /// around it does before and after is one leg then. Valid until the next pixel.
+  const std::vector<models::PixelLeg>& take();
+
+ private:
+  /// A bit for each function by kind of ray, as the meter has them.
+  using Cells = std::array<std::uint64_t, firmware::k_ray_kind_count>;
+
+  /// A part of the process that has begun and not ended.
+  struct Part {
+    firmware::Stage stage = firmware::Stage::board;
+    int primitive = 0;
+    firmware::RayKind ray = firmware::RayKind::primary;
+    firmware::LegMessages messages{};
+    int handed_in = 0;         ///< to whoever does what comes next of it
+    std::size_t last_leg = 0;  ///< behind the place of its last one
+    Cells cells{};             ///< in which it may count
+  };
+
+  void begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages);
+  void end();
+  void cut(int handed_out);
+  bool take_work(Part& part, firmware::LongWork& work);
+  void give_back();
+
+  firmware::LegListener listener_;
+  std::vector<firmware::CountedMeter::Cell>
+      told_;         // counts of all cells, as far as they are in legs
+  Cells known_{};    // of which they are not 0
+  Cells entered_{};  // what has been taken away of the meter's
+  std::vector<Part> parts_;
+  std::vector<models::PixelLeg> legs_;
+};
+
+}  // namespace maquette::sim
