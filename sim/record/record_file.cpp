@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sim/picture/picture_module.hpp"
+#include "sim/record/leg_channels.hpp"
 #include "sim/record/record_image.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -30,7 +31,11 @@ std::string encode_record(const RecordedFrame& frame) {
 
 RecordedFrame decode_record(const std::string& bytes, const std::string& name) {
   ExrImage image = blank_record_image();
-  const std::string error = codec().decode(bytes, image);
+  std::string error = codec().decode(bytes, image);
+  if (error.empty() && has_legs(image)) {
+    error = expect_legs(image);
+    error = error.empty() ? codec().decode(bytes, image) : error;
+  }
   if (!error.empty()) {
     throw DescriptionError(name + ": " + error);
   }

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <string_view>
 
+#include "sim/record/leg_channels.hpp"
 #include "sim/report/digest.hpp"
 #include "sim/report/function_statistics.hpp"
 #include "sim/yaml/description_error.hpp"
@@ -196,7 +197,8 @@ std::string read_pixels(const ExrImage& image, RecordedFrame& frame) {
 std::string record_digest(const ExrImage& image) {
   std::string all = fmt::format("{} {}", image.width, image.height);
   for (const auto& [name, text] : image.attributes) {
-    all += name == k_record_digest ? "" : fmt::format("\n{} {}", name, text);
+    const bool is_left_out = name == k_record_digest || (name == k_leg_words && text.empty());
+    all += is_left_out ? "" : fmt::format("\n{} {}", name, text);
   }
   const std::size_t channels = empty_channels().size();
   for (std::size_t i = 0; i < channels; ++i) {
@@ -217,7 +219,8 @@ ExrImage blank_record_image() {
   image.attributes = {{k_scene, {}},           {k_firmware, {}},
                       {k_has_depth, {}},       {k_zone, {}},
                       {k_preprocessing, {}},   {k_preprocessing_functions, {}},
-                      {k_pixel_functions, {}}, {k_record_digest, {}}};
+                      {k_pixel_functions, {}}, {k_leg_words, {}},
+                      {k_record_digest, {}}};
   return image;
 }
 
@@ -243,6 +246,9 @@ ExrImage record_image(const RecordedFrame& frame) {
       {k_preprocessing, joined(frame.preprocessing.counts)},
       {k_preprocessing_functions, joined(numbers_of(frame.by_function.preprocessing))},
       {k_pixel_functions, joined(numbers_of(frame.by_function.pixels))}};
+  if (frame.legs.pixels() > 0) {
+    append_legs(frame.legs, image);
+  }
   image.attributes[k_record_digest] = record_digest(image);
   return image;
 }
@@ -255,6 +261,12 @@ RecordedFrame frame_of(const ExrImage& image, const std::string& name) {
   }
   if (error.empty()) {
     error = read_pixels(image, frame);
+  }
+  if (error.empty() && has_legs(image)) {
+    error = read_legs(image, frame.legs);
+    if (error.empty() && !legs_make_pixels(frame)) {
+      error = "has legs that are not those of its pixels";
+    }
   }
   if (!error.empty()) {
     throw DescriptionError(name + ": " + error);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "firmware_version.hpp"
 #include "sim/database/board_image.hpp"
 #include "sim/report/digest.hpp"
@@ -39,6 +42,25 @@ std::vector<unsigned char> scene_image(const PackedScene<float>& scene) {
 }
 
 }  // namespace
+
+bool legs_make_pixels(const RecordedFrame& frame) {
+  if (!frame.has_legs()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+    firmware::LongWork sum{};
+    for (const models::PixelLeg& leg : frame.legs.legs(i)) {
+      for (int k = 0; k < firmware::k_operation_count; ++k) {
+        sum.counts[k] += leg.work.counts[k];
+      }
+    }
+    if (!std::equal(std::begin(sum.counts), std::end(sum.counts),
+                    std::begin(frame.pixels[i].work.counts))) {
+      return false;
+    }
+  }
+  return true;
+}
 
 RecordKey record_key_of(const PackedScene<float>& scene) {
   const firmware::Database<float> database = scene.database();

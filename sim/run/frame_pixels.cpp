@@ -1,5 +1,6 @@
 #include "sim/run/frame_pixels.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "firmware/arithmetic/stop_request.hpp"
@@ -13,12 +14,18 @@ namespace maquette::sim {
 
 namespace {
 
-FramePixels recorded_pixels(const RecordedFrame& record, const Machine& machine) {
+FramePixels recorded_pixels(const RecordedFrame& record, const Machine& machine,
+                            LegsOfPixels legs) {
   if (may_take_long(machine, record.useful_zone, record.preprocessing,
                     [&](const auto& position) { return record.at(position).work; })) {
     require_computing_time(machine, record);
   }
-  return {nullptr, std::make_unique<RecordedSource>(record, machine), record.useful_zone};
+  if (legs == LegsOfPixels::told && !record.has_legs()) {
+    throw std::logic_error("a record without the legs that a machine needs");
+  }
+  auto source = std::make_unique<RecordedSource>(record, machine);
+  models::LegSource* const of_source = legs == LegsOfPixels::told ? source.get() : nullptr;
+  return {nullptr, std::move(source), of_source, record.useful_zone};
 }
 
 bool may_take_long(const CountedSource& source, const Machine& machine) {
@@ -35,25 +42,27 @@ bool may_take_long(const CountedSource& source, const Machine& machine) {
 }  // namespace
 
 FramePixels frame_pixels(const Scene& scene, const Machine& machine, const RecordedFrame* record,
-                         bool executed, int threads) {
+                         bool executed, int threads, LegsOfPixels legs) {
   if (record != nullptr) {
-    return recorded_pixels(*record, machine);
+    return recorded_pixels(*record, machine, legs);
   }
   const PictureFormat format = picture_format_of(machine);
   auto source = std::make_unique<CountedSource>(packed_scene<firmware::Counted>(scene, format),
-                                                machine, threads);
+                                                machine, threads, legs);
   if (!executed && may_take_long(*source, machine)) {
     const auto whole = [&] {
-      return std::make_unique<RecordedFrame>(record_frame(scene, format, threads));
+      return std::make_unique<RecordedFrame>(
+          record_frame(scene, format, threads, FunctionsOfPixels::untold, legs));
     };
     if (auto made = firmware::unless_stopped(whole, std::unique_ptr<RecordedFrame>())) {
-      FramePixels pixels = recorded_pixels(*made, machine);
+      FramePixels pixels = recorded_pixels(*made, machine, legs);
       pixels.record = std::move(made);
       return pixels;
     }
   }
   const models::PixelRectangle zone = source->useful_zone();
-  return {nullptr, std::move(source), zone};
+  models::LegSource* const of_source = legs == LegsOfPixels::told ? source.get() : nullptr;
+  return {nullptr, std::move(source), of_source, zone};
 }
 
 }  // namespace maquette::sim

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "models/board/allotment.hpp"
+#include "models/unit/pixel_leg.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/record/recorded_frame.hpp"
 #include "sim/run/frame_source.hpp"
@@ -14,13 +15,15 @@ namespace maquette::sim {
 struct FramePixels {
   std::unique_ptr<RecordedFrame> record;  ///< made for this run, if it was
   std::unique_ptr<FrameSource> source;
-  models::PixelRectangle zone;  ///< the useful one
+  models::LegSource* legs = nullptr;  ///< the source's, where they are told
+  models::PixelRectangle zone;        ///< the useful one
 };
 
 /// Those of a record, which is kept by reference, or of the firmware when it is null: as it goes,
 /// or where boards may compute too long the whole frame before the run, for then it is known. What
-/// boards that execute their program compute is not, `executed`. Throws as require_computing_time.
+/// boards that execute their program compute is not, `executed`. A record of which legs are wanted
+/// has them. Throws as require_computing_time.
 FramePixels frame_pixels(const Scene& scene, const Machine& machine, const RecordedFrame* record,
-                         bool executed, int threads);
+                         bool executed, int threads, LegsOfPixels legs = LegsOfPixels::untold);
 
 }  // namespace maquette::sim

@@ -8,7 +8,13 @@ RecordedSource::RecordedSource(const RecordedFrame& record, const Machine& machi
                  static_cast<int>(machine.parameters.boards.size())) {}
 
 const models::SynthesizedPixel& RecordedSource::pixel(std::int64_t index) {
-  return record_.at(allotment_.position(index));
+  taken_ = record_.place_of(allotment_.position(index));
+  return record_.pixels[taken_];
+}
+
+const std::vector<models::PixelLeg>& RecordedSource::legs() {
+  legs_ = record_.legs.legs(taken_);
+  return legs_;
 }
 
 }  // namespace maquette::sim

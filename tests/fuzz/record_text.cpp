@@ -5,6 +5,7 @@
 #include <random>
 #include <sstream>
 
+#include "sim/record/leg_channels.hpp"
 #include "sim/record/record_image.hpp"
 
 namespace maquette::fuzz {
@@ -103,6 +104,7 @@ sim::ExrImage image_of(const std::string& text) {
   }
   image.data_width = std::clamp(image.data_width, 1, k_most_side);
   image.data_height = std::clamp(image.data_height, 1, k_most_side);
+  static_cast<void>(sim::expect_legs(image));
   read_channels(std::string_view{text}.substr(std::min(begin, text.size())), image);
   return image;
 }
@@ -124,6 +126,14 @@ std::vector<sim::RecordedFrame> small_frames() {
       pixel.rays.primary = 1;
       for (std::uint32_t& count : pixel.work.counts) {
         count = static_cast<std::uint32_t>(random()) >> (random() % 32);
+      }
+    }
+    if (zone.width == 3) {
+      for (models::SynthesizedPixel& pixel : frame.pixels) {
+        models::PixelLeg leg{};
+        leg.stage = models::Stage::photometry;
+        leg.work = pixel.work;
+        frame.legs.put({leg});
       }
     }
     frame.by_function.pixels.cells[1][2] = random();

@@ -8,6 +8,7 @@
 #include "sim/record/record_image.hpp"
 #include "sim/yaml/description_error.hpp"
 #include "tests/catch.hpp"
+#include "tests/sim/record/random_legs.hpp"
 
 namespace {
 
@@ -109,6 +110,70 @@ TEST_CASE("a record comes back from its file as it was, with the same bytes each
     REQUIRE(are_equal(decode_record(bytes, "file.exr"), frame));
     REQUIRE(encode_record(frame) == bytes);
   }
+}
+
+namespace {
+
+RecordedFrame random_frame_with_legs(std::mt19937& random) {
+  RecordedFrame frame;
+  while (frame.pixels.empty()) {
+    frame = random_frame(random);
+  }
+  for (SynthesizedPixel& pixel : frame.pixels) {
+    const auto legs = maquette::sim::random_legs(random);
+    pixel.work = maquette::sim::sum_of(legs);
+    frame.legs.put(legs);
+  }
+  return frame;
+}
+
+}  // namespace
+
+TEST_CASE("a record brings back the legs of its pixels, with the same bytes each time") {
+  std::mt19937 random(41);
+  for (int i = 0; i < 10; ++i) {
+    const RecordedFrame frame = random_frame_with_legs(random);
+    const std::string bytes = encode_record(frame);
+    const RecordedFrame read = decode_record(bytes, "file.exr");
+    REQUIRE(are_equal(read, frame));
+    REQUIRE(read.has_legs());
+    REQUIRE(read.legs.words() == frame.legs.words());
+    REQUIRE(encode_record(read) == bytes);
+    RecordedFrame without = frame;
+    without.legs = {};
+    const std::string fewer = encode_record(without);
+    REQUIRE(fewer.find("maquetteLegWords") == std::string::npos);
+    REQUIRE_FALSE(decode_record(fewer, "file.exr").has_legs());
+  }
+}
+
+TEST_CASE("a record whose legs are not those of its pixels is refused") {
+  std::mt19937 random(42);
+  const auto error_of = [](maquette::sim::ExrImage image, auto damage) {
+    damage(image);
+    image.attributes[maquette::sim::k_record_digest] = maquette::sim::record_digest(image);
+    try {
+      static_cast<void>(maquette::sim::frame_of(image, "x.exr"));
+    } catch (const maquette::sim::DescriptionError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const RecordedFrame frame = random_frame_with_legs(random);
+  const maquette::sim::ExrImage image = record_image(frame);
+  CHECK(error_of(image, [](auto&) {}).empty());
+  CHECK_THAT(error_of(image, [](auto& damaged) { ++damaged.channels.back().values[0]; }),
+             ContainsSubstring("x.exr: is damaged: its legs are of another content"));
+  CHECK_THAT(error_of(image, [](auto& damaged) { damaged.channels.pop_back(); }),
+             ContainsSubstring("x.exr: has fewer words of legs than it says"));
+  RecordedFrame other = frame;
+  ++other.pixels.back().work.counts[3];
+  CHECK_THAT(error_of(record_image(other), [](auto&) {}),
+             ContainsSubstring("x.exr: has legs that are not those of its pixels"));
+  other = frame;
+  other.legs.put({});
+  CHECK_THAT(error_of(record_image(other), [](auto&) {}),
+             ContainsSubstring("x.exr: has legs that are not those of its pixels"));
 }
 
 TEST_CASE("a record holds no clock") {
