@@ -8,13 +8,14 @@
 
 namespace maquette::models {
 
-/// What a board did with its time. The four states sum to the time from the start of the frame to
-/// the instant for which they were asked.
+/// What a board, or a function unit, did with its time. The five states sum to the time from the
+/// start of the frame to the instant for which they were asked.
 struct BoardStatistics {
   Duration compute{};        ///< preprocessing, synthesis, and its own clocks between two words
   Duration wait_grant{};     ///< bus requested, not granted
   Duration transfer{};       ///< bus granted, until released
-  Duration idle{};           ///< after its last pixel
+  Duration wait_unit{};      ///< nothing to do until a function unit has done something
+  Duration idle{};           ///< after its last pixel; of a unit: no errand
   Duration preprocessing{};  ///< of `compute`
   Duration working{};        ///< of `compute`: work of the preprocessing and of its pixels
   Duration longest_wait{};   ///< for one grant

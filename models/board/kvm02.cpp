@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "models/bus/kernel_time.hpp"
 #include "models/bus/memory_cells.hpp"
@@ -90,7 +91,14 @@ void Kvm02::run() {
   if (pixel_meter_) {
     pixel_meter_->begin(processor_.spent());
   }
-  if (own_pixels_) {
+  make_pixels();
+  finish();
+}
+
+void Kvm02::make_pixels() {
+  if (dispatcher_) {
+    run_dispatcher();
+  } else if (own_pixels_) {
     if (cursor_.enter(share_.first)) {
       keep_pixels(*own_pixels_);
     }
@@ -101,7 +109,6 @@ void Kvm02::run() {
   } else if (cursor_.enter(share_.first)) {
     write_pixels();
   }
-  finish();
 }
 
 void Kvm02::write_pixels() {
@@ -117,6 +124,36 @@ void Kvm02::tell_written() {
   if (pixel_meter_) {
     pixel_meter_->write(processor_.spent());
   }
+}
+
+// ---- pixels that others make as well ----
+
+void Kvm02::dispatch(PixelDispatcher dispatcher) {
+  dispatcher_ = std::move(dispatcher);
+  processor_.promise_nothing();
+  writer_.burst().transaction.follow_up = nullptr;
+}
+
+void Kvm02::run_dispatcher() {
+  bool has_unit = claims_ || cursor_.enter(share_.first);
+  const auto has_pixel = [&] {
+    while (has_unit && !cursor_.has_pixel()) {
+      has_unit = claims_ && cursor_.enter(claims_->next());
+    }
+    return has_unit;
+  };
+  const auto write = [&](const SynthesizedPixel& pixel) {
+    if (pixel_meter_) {
+      pixel_meter_->compute({pixel.column, pixel.row}, processor_.spent());
+    }
+    writer_.clear();
+    writer_.append(pixel);
+    writer_.aim();
+    processor_.transact(writer_.burst());
+    tell_written();
+  };
+  dispatcher_(
+      {processor_, has_pixel, [this]() -> const SynthesizedPixel& { return take(); }, write});
 }
 
 // ---- a program ----
@@ -190,16 +227,21 @@ void Kvm02::take_pixel(std::int64_t number, std::uint32_t bytes) {
 
 // ---- pixels of the source ----
 
+const SynthesizedPixel& Kvm02::take() {
+  const SynthesizedPixel& pixel = source_.pixel(cursor_.take());
+  ++pixels_;
+  work_.add(pixel.work);
+  work_.add(pixel.rays);
+  return pixel;
+}
+
 // Of the pixel a copy: other boards ask for theirs while this one reads a shared database.
 SynthesizedPixel Kvm02::synthesize() {
-  SynthesizedPixel pixel = source_.pixel(cursor_.take());
+  SynthesizedPixel pixel = take();
   compute(pixel.work);
   if (pixel_meter_) {
     pixel_meter_->compute({pixel.column, pixel.row}, processor_.spent());
   }
-  ++pixels_;
-  work_.add(pixel.work);
-  work_.add(pixel.rays);
   return pixel;
 }
 

@@ -14,6 +14,7 @@
 #include "models/board/instruction_processor.hpp"
 #include "models/board/kvm02_parameters.hpp"
 #include "models/board/own_pixels.hpp"
+#include "models/board/pixel_dispatcher.hpp"
 #include "models/board/pixel_meter.hpp"
 #include "models/board/pixel_source.hpp"
 #include "models/board/pixel_writer.hpp"
@@ -63,6 +64,10 @@ class Kvm02 : public sc_core::sc_module {
   void execute(const ProgramEntry& entry, const HostRoutines& host_routines,
                const std::vector<RamPart>& resident, ProgramSlots& slots);
 
+  /// Has its pixels made by `dispatcher`, which is lent what the board has. It writes each pixel as
+  /// soon as it is made. Before the simulation starts.
+  void dispatch(PixelDispatcher dispatcher);
+
   /// What each of its pixels took is shown to `observer` when it is written, as of the board with a
   /// number. Before the simulation starts.
   void observe_pixels(int board, const PixelObserver& observer) {
@@ -86,6 +91,9 @@ class Kvm02 : public sc_core::sc_module {
 
  private:
   void run();
+  void make_pixels();
+  void run_dispatcher();
+  [[nodiscard]] const SynthesizedPixel& take();
   [[nodiscard]] SynthesizedPixel synthesize();
   [[nodiscard]] bool gather();
   [[nodiscard]] bool is_due(int row);
@@ -114,6 +122,8 @@ class Kvm02 : public sc_core::sc_module {
   PixelWriter writer_;
   std::optional<UnitClaims> claims_;        // of units on demand
   std::optional<DatabaseReader> database_;  // of a shared one
+
+  PixelDispatcher dispatcher_;  // of a board that shares its pixels' process out
 
   std::optional<OwnPixels> own_pixels_;    // of a board that keeps them
   std::optional<PixelMeter> pixel_meter_;  // of one whose pixels are observed

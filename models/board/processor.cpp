@@ -57,6 +57,14 @@ void Processor::pass() {
   accounted_ = kernel_now();
 }
 
+void Processor::await(const sc_core::sc_event& event, Duration BoardStatistics::*state) {
+  awaiting_ = state;
+  sc_core::wait(event);
+  awaiting_ = nullptr;
+  states_.*state += kernel_now() - accounted_;
+  accounted_ = kernel_now();
+}
+
 void Processor::finish() {
   pass();
   states_.finished = accounted_;
@@ -67,12 +75,16 @@ BoardStatistics Processor::statistics(Instant instant) const {
   if (!started_) {
     return statistics;
   }
-  if (statistics.compute + statistics.wait_grant + statistics.transfer != accounted_ - *started_) {
+  if (statistics.compute + statistics.wait_grant + statistics.transfer + statistics.wait_unit +
+          statistics.idle !=
+      accounted_ - *started_) {
     throw std::logic_error(name_ + ": states do not sum to the elapsed time");
   }
   const Duration rest = instant - accounted_;
   if (statistics.finished) {
-    statistics.idle = rest;
+    statistics.idle += rest;
+  } else if (awaiting_ != nullptr) {
+    statistics.*awaiting_ += rest;
   } else {
     const Duration computed = std::min(rest, computing_);
     statistics.compute += computed;

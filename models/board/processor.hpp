@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <systemc>
 #include <tlm>
 
 #include "firmware/arithmetic/work.hpp"
@@ -51,6 +52,12 @@ class Processor {
     states_.working += time;
     return time;
   }
+  /// Work whose time is known is to be computed next.
+  void take_on(Duration time) {
+    states_.working += time;
+    compute(time);
+  }
+
   [[nodiscard]] const Period& clock() const { return clock_; }
 
   /// Computes for as long as is due, then does the burst; returns at its end. Reports a bus error.
@@ -66,6 +73,10 @@ class Processor {
   /// Computes for as long as is due; returns at its end. Only of a processor that does not promise.
   void pass();
 
+  /// Waits for an event, in a state of its statistics. Only of a processor that has nothing left to
+  /// compute and does not promise.
+  void await(const sc_core::sc_event& event, Duration BoardStatistics::*state);
+
   /// From now on it does not promise the bus to request as soon as the kernel wakes it.
   void promise_nothing() { promises_ = false; }
 
@@ -80,7 +91,7 @@ class Processor {
 
   /// What it has done with its time since the start of the frame.
   [[nodiscard]] ProcessorTime spent() const {
-    return {states_.compute + computing_, states_.wait_grant, states_.transfer};
+    return {states_.compute + computing_, states_.wait_grant + states_.wait_unit, states_.transfer};
   }
 
   /// Up to here its states are known, perhaps ahead of the kernel.
@@ -101,6 +112,7 @@ class Processor {
   Instant accounted_{};
   Duration computing_{};
   bool promises_ = true;
+  Duration BoardStatistics::*awaiting_ = nullptr;  // the state in which it waits for an event
   BoardStatistics states_;
 };
 

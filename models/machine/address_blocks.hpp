@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "models/board/long_word.hpp"
 #include "models/machine/machine_parameters.hpp"
 
 /// How the addresses of the bus are shared out; machine_addresses.hpp says what stands where.
@@ -39,6 +40,22 @@ inline std::uint64_t shared_base(std::uint64_t block, std::size_t boards,
                                       static_cast<std::uint64_t>(frame.height) *
                                       k_pixel_address_bytes;
   return (frame_end + block - 1) / block * block;
+}
+
+/// The block of a function unit's RAM, with its mailbox.
+inline std::uint64_t unit_block(const UnitsParameters& units) {
+  std::uint64_t block = 0;
+  for (const FunctionUnitParameters& kind : units.kinds) {
+    if (kind.number > 0) {
+      block = std::max(block, block_of(kind.ram_bytes + static_cast<std::int64_t>(k_long_bytes)));
+    }
+  }
+  return block;
+}
+
+/// Where function units begin, on the next of their blocks behind all else.
+inline std::uint64_t units_base(std::uint64_t end, std::uint64_t block) {
+  return (end + block - 1) / block * block;
 }
 
 }  // namespace maquette::models

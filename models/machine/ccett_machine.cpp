@@ -145,6 +145,9 @@ CcettMachine::CcettMachine(const sc_core::sc_module_name& name, const MachinePar
                               setup.program->resident.at(index), *slots_);
     }
   }
+  if (has_units(parameters.units)) {
+    make_units(parameters, addresses, setup, backplanes[0]);
+  }
   make_host(parameters, std::move(backplanes));
 }
 
@@ -199,6 +202,23 @@ int CcettMachine::make_board(std::size_t index, const MachineParameters& paramet
   return master;
 }
 
+void CcettMachine::make_units(const MachineParameters& parameters,
+                              const MachineAddresses& addresses, const FrameSetup& setup,
+                              Backplane& backplane) {
+  if (setup.legs == nullptr || setup.program) {
+    throw std::invalid_argument("boards with function units need the legs of counted pixels");
+  }
+  units_.emplace(parameters, addresses, *buses_[0], *setup.legs, start_);
+  for (std::size_t index = 0; index < boards_.size(); ++index) {
+    units_->serve(*boards_[index], addresses.ram(index) + setup.reply_address);
+  }
+  backplane.boards.insert(backplane.boards.end(), units_->masters().begin(),
+                          units_->masters().end());
+  for (std::size_t unit = 0; unit < setup.unit_images.size(); ++unit) {
+    backplane.images.push_back({addresses.unit(unit), setup.unit_images[unit]});
+  }
+}
+
 void CcettMachine::make_host(const MachineParameters& parameters,
                              std::vector<Backplane> backplanes) {
   host_ = std::make_unique<Host>("host", parameters.host, parameters.board, std::move(backplanes),
@@ -214,7 +234,7 @@ void CcettMachine::observe_bus(const std::function<void(const BusAccess&)>& obse
   for (std::size_t port = 0; port < buses_.size(); ++port) {
     buses_[port]->observe([this, observer, port](BusAccess access) {
       const auto board = port + static_cast<std::size_t>(access.master) * buses_.size();
-      access.master = static_cast<int>(std::min(board, boards_.size()));
+      access.master = static_cast<int>(std::min(board, last_master()));
       observer(access);
     });
   }
@@ -261,11 +281,19 @@ std::int64_t CcettMachine::pixels_taken() const {
   return taken;
 }
 
+// The host's number, behind boards and units.
+std::size_t CcettMachine::last_master() const {
+  return boards_.size() + (units_ ? units_->masters().size() : 0);
+}
+
 // Boards may be ahead of the kernel.
 Instant CcettMachine::furthest_known() const {
   Instant furthest = kernel_now();
   for (const auto& board : boards_) {
     furthest = std::max(furthest, board->accounted());
+  }
+  if (units_) {
+    furthest = std::max(furthest, units_->accounted());
   }
   return furthest;
 }
@@ -285,7 +313,10 @@ MachineStatistics CcettMachine::statistics() const {
   for (const auto& bus : buses_) {
     backplanes.push_back(bus->statistics());
   }
-  statistics.bus = combined(backplanes, boards_.size());
+  if (units_) {
+    statistics.units = units_->statistics(end);
+  }
+  statistics.bus = combined(backplanes, last_master());
   statistics.backplanes = static_cast<int>(buses_.size());
   return statistics;
 }

@@ -20,6 +20,7 @@
 #include "models/machine/machine_addresses.hpp"
 #include "models/machine/machine_parameters.hpp"
 #include "models/machine/machine_statistics.hpp"
+#include "models/machine/machine_units.hpp"
 
 namespace maquette::models {
 
@@ -41,6 +42,9 @@ struct FrameSetup {
   std::optional<ProgramSetup> program;                   ///< when boards execute theirs
   std::vector<unsigned char> shared_database;            ///< when boards have no copies
   std::optional<std::vector<ImageRange>> shared_loaded;  ///< of that, as `loaded`
+  LegSource* legs = nullptr;        ///< of the source's pixels; of a machine with units
+  std::uint32_t reply_address = 0;  ///< in a board's RAM, of what units hand back
+  std::vector<std::vector<unsigned char>> unit_images;  ///< database by unit; empty: none
   bool keep_log = false;  ///< of the writes, for pictures at an instant
 };
 
@@ -74,8 +78,9 @@ class CcettMachine : public sc_core::sc_module {
   /// When the last board was done, if all are.
   [[nodiscard]] std::optional<Instant> finished() const;
 
-  /// Every access from now on is shown to `observer`, with the number of the board, or of the host
-  /// after them, as its master; in the order of time on each backplane.
+  /// Every access from now on is shown to `observer`, with the number of the board, of a function
+  /// unit after them, or of the host at the end as its master; in the order of time on each
+  /// backplane.
   void observe_bus(const std::function<void(const BusAccess&)>& observer);
 
   /// Every line of the backplanes is shown to `observer`, with the number of its backplane, as
@@ -111,9 +116,12 @@ class CcettMachine : public sc_core::sc_module {
                           std::size_t bytes);
   int make_board(std::size_t index, const MachineParameters& parameters,
                  const MachineAddresses& addresses, VersaBus& bus, PixelSource& source);
+  void make_units(const MachineParameters& parameters, const MachineAddresses& addresses,
+                  const FrameSetup& setup, Backplane& backplane);
   void make_host(const MachineParameters& parameters, std::vector<Backplane> backplanes);
 
   [[nodiscard]] Instant furthest_known() const;
+  [[nodiscard]] std::size_t last_master() const;
 
   VideoParameters video_;
   PixelRectangle zone_;
@@ -126,6 +134,7 @@ class CcettMachine : public sc_core::sc_module {
   std::optional<PixelStore> own_pixels_;  // of boards that keep them
   std::optional<SharedMemory> shared_memory_;
   std::vector<std::unique_ptr<Kvm02>> boards_;
+  std::optional<MachineUnits> units_;  // of a machine that has some
   std::unique_ptr<Host> host_;
   std::unique_ptr<VideoReader> video_reader_;
 };

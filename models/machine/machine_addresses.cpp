@@ -12,9 +12,15 @@ MachineAddresses machine_addresses(const MachineParameters& parameters,
   const std::size_t boards = parameters.boards.size();
   const std::uint64_t block = block_of(parameters.board.ram_bytes);
   const FrameMemoryParameters& memory = parameters.frame_memory;
-  return {block, FrameWindow{frame_base(block, boards), memory.width, PixelFormat(memory)},
-          SharedWindow{shared_base(block, boards, memory),
-                       static_cast<std::int64_t>(shared_database_bytes)}};
+  MachineAddresses addresses{
+      block, FrameWindow{frame_base(block, boards), memory.width, PixelFormat(memory)},
+      SharedWindow{shared_base(block, boards, memory),
+                   static_cast<std::int64_t>(shared_database_bytes)}};
+  if (has_units(parameters.units)) {
+    addresses.unit_block = unit_block(parameters.units);
+    addresses.units = units_base(shared_base(block, boards, memory) + block, addresses.unit_block);
+  }
+  return addresses;
 }
 
 }  // namespace maquette::models

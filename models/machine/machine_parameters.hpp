@@ -9,6 +9,7 @@
 #include "models/display/frame_memory_parameters.hpp"
 #include "models/display/video_parameters.hpp"
 #include "models/machine/host_parameters.hpp"
+#include "models/unit/unit_parameters.hpp"
 
 namespace maquette::models {
 
@@ -22,6 +23,7 @@ struct MachineParameters {
   HostParameters host;
   AllotmentParameters allotment;
   SharedMemoryParameters shared_memory;
+  UnitsParameters units;
 };
 
 }  // namespace maquette::models
