@@ -11,6 +11,7 @@
 
 #include "sim/run/counted_source.hpp"
 #include "tests/sim/description_files.hpp"
+#include "tests/sim/record/random_legs.hpp"
 
 using namespace maquette;
 using namespace maquette::sim;
@@ -69,22 +70,6 @@ bool are_equal(const firmware::Work& a, const firmware::Work& b) {
   return std::equal(std::begin(a.counts), std::end(a.counts), std::begin(b.counts));
 }
 
-bool are_equal(const PixelLeg& a, const PixelLeg& b) {
-  return a.stage == b.stage && a.ray == b.ray && a.primitive == b.primitive &&
-         a.numbers_in == b.numbers_in && a.numbers_out == b.numbers_out &&
-         are_equal(a.work, b.work);
-}
-
-firmware::Work sum_of(const std::vector<PixelLeg>& legs) {
-  firmware::Work sum{};
-  for (const PixelLeg& leg : legs) {
-    for (int i = 0; i < firmware::k_operation_count; ++i) {
-      sum.counts[i] += leg.work.counts[i];
-    }
-  }
-  return sum;
-}
-
 bool is_shadow(const PixelLeg& leg) { return leg.ray >= firmware::RayKind::shadow; }
 
 /// What every leg holds to by itself.
@@ -134,9 +119,7 @@ TEST_CASE("Telling legs changes nothing else, nor does the number of threads cha
       REQUIRE(plain.legs[i].empty());
       REQUIRE(one.pixels[i].rgb == plain.pixels[i].rgb);
       REQUIRE(are_equal(one.pixels[i].work, plain.pixels[i].work));
-      REQUIRE(std::equal(one.legs[i].begin(), one.legs[i].end(), three.legs[i].begin(),
-                         three.legs[i].end(),
-                         [](const PixelLeg& a, const PixelLeg& b) { return are_equal(a, b); }));
+      REQUIRE(are_equal(one.legs[i], three.legs[i]));
     }
     CHECK(numbers_of(one.work.pixels) == numbers_of(plain.work.pixels));
     CHECK(numbers_of(three.work.pixels) == numbers_of(plain.work.pixels));
