@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/key_help.hpp"
 #include "sim/database/scene_report.hpp"
 #include "sim/maps/map_table.hpp"
 #include "sim/report/statistics_description.hpp"
+#include "sim/run/leg_report.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -19,6 +23,7 @@ struct DescribeOptions {
   CommonOptions common;
   bool statistics = false;
   bool maps = false;
+  bool legs = false;
   std::string keys;
 };
 
@@ -41,7 +46,18 @@ void describe(const DescribeOptions& options) {
   described.scene = file;
   DescriptionSources sources = sources_of(described);
   sources.known = {read_input(file)};
-  if (describes_machine(sources.known.front())) {
+  const bool is_machine = describes_machine(sources.known.front());
+  if (options.legs) {
+    if (is_machine) {
+      throw DescriptionError(file +
+                             ": a machine; allowed with --legs: a scene, whose pixels it is");
+    }
+    const Description description = load_description(sources);
+    const auto threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    fmt::print("{}", leg_report(description.scene, description.machine, threads));
+    return;
+  }
+  if (is_machine) {
     sources.machine = file;
     std::vector<InputFile> input_files;
     fmt::print("{}", machine_report(load_machine(sources, input_files)));
@@ -63,6 +79,10 @@ void add_describe_command(CLI::App& program) {
       verb.add_flag("--statistics", options->statistics, "explain the keys of stats.json instead");
   verb.add_flag("--maps", options->maps, "list the maps of a run (`run --map`) instead")
       ->excludes(statistics);
+  verb.add_flag("--legs", options->legs,
+                "show how the process of the scene's pixels comes apart for machines with function "
+                "units instead")
+      ->excludes(statistics);
   verb.add_option("--keys", options->keys,
                   fmt::format("explain the keys of a part of descriptions instead: {}",
                               fmt::join(explained_parts(), ", ")))
@@ -70,8 +90,9 @@ void add_describe_command(CLI::App& program) {
       ->excludes(statistics);
   verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE");
   add_footer(verb, {},
-             {"maquette describe photo4", "maquette describe ccett-1984",
-              "maquette describe --statistics", "maquette describe --keys revolution"});
+             {"maquette describe photo4", "maquette describe photo4 --legs",
+              "maquette describe ccett-1984", "maquette describe --statistics",
+              "maquette describe --keys revolution"});
   verb.callback([options, statistics, &verb] {
     if (!*statistics && !options->maps && options->keys.empty() && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());
