@@ -92,9 +92,9 @@ std::string leg_report(const Scene& scene, const Machine& machine, int threads) 
       is_calibrated(machine) ? with_costs(machine, calibrate(scene, machine)) : machine;
   const std::int64_t pixels = source.useful_zone().pixels();
   return fmt::format(
-      "Legs of the process of {} pixels of {}, at the costs of a board of {}\n"
+      "Legs of the process of {} pixels, at the costs of a board of {}\n"
       "(words of 32 bits, handed to and returned by whoever does a leg)\n{}",
-      pixels, scene.name, machine.name, table(sums_of(source, priced), pixels));
+      pixels, machine.name, table(sums_of(source, priced), pixels));
 }
 
 }  // namespace maquette::sim

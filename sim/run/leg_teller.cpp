@@ -92,6 +92,11 @@ void LegTeller::cut(int handed_out) {
   if (!take_work(part, work)) {
     return;
   }
+  firmware::Work counted{};
+  for (int i = 0; i < firmware::k_operation_count; ++i) {
+    counted.counts[i] = static_cast<std::uint32_t>(work.counts[i]);
+  }
+  counted = firmware::general_apart(counted);
   // The board's own leg is that of the ray to which it leads.
   const auto ray = part.stage == firmware::Stage::board
                        ? static_cast<firmware::RayKind>(counted_meter.ray)
@@ -109,7 +114,7 @@ void LegTeller::cut(int handed_out) {
   leg.ray = ray;
   leg.numbers_out = words_of(handed_out);
   for (int i = 0; i < firmware::k_operation_count; ++i) {
-    leg.work.counts[i] += static_cast<std::uint32_t>(work.counts[i]);
+    leg.work.counts[i] += counted.counts[i];
   }
 }
 
@@ -135,7 +140,6 @@ bool LegTeller::take_work(Part& part, firmware::LongWork& work) {
   }
   counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
   mark_present_cell();
-  work = firmware::general_apart(work);
   return any != 0;
 }
 
