@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <vector>
 
 namespace maquette::models::mc68000 {
@@ -16,20 +15,23 @@ class NativeCalls {
  public:
   using Function = std::function<void(ExecutionUnit&)>;
 
-  /// Throws std::invalid_argument for an odd address, one beyond 24 bits, or one that is taken.
+  /// Throws std::invalid_argument for an odd address, one beyond 24 bits, or one that is taken, and
+  /// for more than 255 routines.
   void add(std::uint32_t address, Function function);
 
   [[nodiscard]] bool contains(std::uint32_t address) const {
     const std::uint32_t word = address / 2;
-    return word / 64 < marks_.size() && (marks_[word / 64] >> (word % 64) & 1U) != 0;
+    return word < numbers_.size() && numbers_[word] != 0;
   }
 
   /// Executes the routine at an address that is contained.
-  void execute(std::uint32_t address, ExecutionUnit& unit) const { functions_.at(address)(unit); }
+  void execute(std::uint32_t address, ExecutionUnit& unit) const {
+    functions_[numbers_[address / 2] - 1U](unit);
+  }
 
  private:
-  std::vector<std::uint64_t> marks_;  // one bit for each word of the memory, up to the last routine
-  std::map<std::uint32_t, Function> functions_;
+  std::vector<std::uint8_t> numbers_;  // from 1, by words of the memory up to the last routine
+  std::vector<Function> functions_;
 };
 
 }  // namespace maquette::models::mc68000
