@@ -8,8 +8,19 @@ namespace maquette::models {
 
 namespace {
 
-/// Events that may wait. The host's threads need not meet at each of them.
+/// Events that may wait, and how many of them are left when the program goes on. So the host's
+/// threads meet seldom: a switch between them costs as much as executing a small pixel.
 constexpr std::size_t k_most_events = 256;
+constexpr std::size_t k_fewer_events = 128;
+
+/// So many events that wait are told at once, others when the program needs an answer or ends.
+constexpr std::size_t k_told_events = 64;
+
+bool needs_nothing(const ProgramEvent& event) {
+  return event.kind == ProgramEvent::Kind::synthesis ||
+         (event.kind == ProgramEvent::Kind::access &&
+          event.request.kind == mc68000::BusRequest::Kind::write);
+}
 
 /// The host executes so much in some tenth of a second.
 constexpr std::uint64_t k_cycles_between_looks = 10'000'000;
@@ -89,7 +100,9 @@ ProgramEvent BoardProgram::event(ProgramEvent::Kind kind, const mc68000::Account
 
 void BoardProgram::put(const ProgramEvent& event) {
   events_.push_back(event);
-  changed_.notify_all();
+  if (!needs_nothing(event) || events_.size() == k_told_events) {
+    changed_.notify_all();
+  }
 }
 
 ProgramEvent BoardProgram::next() {
@@ -99,7 +112,9 @@ ProgramEvent BoardProgram::next() {
   }
   const ProgramEvent event = events_.front();
   events_.pop_front();
-  changed_.notify_all();
+  if (events_.size() == k_fewer_events) {
+    changed_.notify_all();
+  }
   return event;
 }
 
@@ -119,12 +134,12 @@ mc68000::BusReply BoardProgram::access(const mc68000::BusRequest& request,
   asked.request = request;
   put(asked);
   const bool writes = request.kind == mc68000::BusRequest::Kind::write;
-  const auto may_go_on = [this, writes] {
-    return abandoned_ || (writes ? events_.size() < k_most_events : answer_.has_value());
+  const auto may_go_on = [this, writes](std::size_t events) {
+    return abandoned_ || (writes ? events_.size() < events : answer_.has_value());
   };
-  if (!may_go_on()) {
+  if (!may_go_on(k_most_events)) {
     slots_.give_back();
-    changed_.wait(lock, may_go_on);
+    changed_.wait(lock, [&may_go_on] { return may_go_on(k_fewer_events + 1); });
     lock.unlock();
     slots_.take();
     lock.lock();
