@@ -57,15 +57,25 @@ const models::SynthesizedPixel& CountedSource::pixel(std::int64_t index) {
     legs_ = std::move(block.legs[place]);
   }
   if (--block.left == 0) {
+    freed_.push_back(std::move(block.pixels));
     block.pixels = {};
     block.legs = {};
   }
   return taken_;
 }
 
+void CountedSource::make_room(Block& block) {
+  if (!freed_.empty()) {
+    block.pixels = std::move(freed_.back());
+    freed_.pop_back();
+  }
+  block.pixels.resize(static_cast<std::size_t>(block.left));
+}
+
 /// Makes a block ready; several threads share it and those after it that wait, one by one.
 void CountedSource::synthesise_from(std::size_t first) {
   if (threads_ == 1) {
+    make_room(blocks_[first]);
     synthesise(first);
     return;
   }
@@ -73,6 +83,7 @@ void CountedSource::synthesise_from(std::size_t first) {
   const std::size_t ahead = k_blocks_ahead * static_cast<std::size_t>(threads_);
   for (std::size_t block = first; block < blocks_.size() && waiting.size() < ahead; ++block) {
     if (blocks_[block].waits()) {
+      make_room(blocks_[block]);
       waiting.push_back(block);
     }
   }
@@ -97,10 +108,8 @@ void CountedSource::synthesise_from(std::size_t first) {
 void CountedSource::synthesise(std::size_t block) {
   const firmware::WorkArea<firmware::Counted> view = areas_.local().view();
   PixelRun run(by_function_.local(), told_);
-  std::vector<models::SynthesizedPixel>& pixels = blocks_[block].pixels;
-  pixels.resize(static_cast<std::size_t>(blocks_[block].left));
   std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
-  for (models::SynthesizedPixel& synthesised : pixels) {
+  for (models::SynthesizedPixel& synthesised : blocks_[block].pixels) {
     synthesised = run.pixel(frame(), view, allotment_->position(index++));
     if (told_ == LegsOfPixels::told) {
       blocks_[block].legs.push_back(run.legs());

@@ -46,6 +46,7 @@ class CountedSource : public FrameSource, public models::LegSource {
     [[nodiscard]] bool waits() const { return pixels.empty() && left > 0; }
   };
 
+  void make_room(Block& block);
   void synthesise_from(std::size_t first);
   void synthesise(std::size_t block);
 
@@ -54,6 +55,7 @@ class CountedSource : public FrameSource, public models::LegSource {
   std::unique_ptr<PreparedScene<firmware::Counted>> scene_;
   std::unique_ptr<models::PixelAllotment> allotment_;
   std::vector<Block> blocks_;
+  std::vector<std::vector<models::SynthesizedPixel>> freed_;  // memory of blocks, to be used again
   models::SynthesizedPixel taken_{};  // the last one, whose block may be freed
   std::vector<models::PixelLeg> legs_;
   LegsOfPixels told_;

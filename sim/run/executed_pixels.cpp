@@ -4,6 +4,7 @@
 
 #include "models/board/program_time.hpp"
 #include "models/display/frame_memory.hpp"
+#include "sim/database/memory_map.hpp"
 #include "sim/database/prepared_scene.hpp"
 #include "sim/run/board_start.hpp"
 #include "sim/run/counted_pixel.hpp"
@@ -27,10 +28,12 @@ firmware::BoardOrder sample_order(const Machine& machine, const models::PixelRec
   return order;
 }
 
-/// RAM up to the frame memory: what does not fit a board has been found out before.
-BoardRoom roomy(const Machine& machine, const firmware::BoardOrder& order) {
+/// RAM for all that a board holds: what does not fit a board has been found out before.
+BoardRoom roomy(const Machine& machine, const PackedScene<float>& scene) {
   BoardRoom room = board_room(machine);
-  room.ram_bytes = order.frame_memory;
+  const MemoryMap map = memory_map_of(scene, machine);
+  const std::int64_t bytes = map.used_bytes + map.stack_needed_bytes;
+  room.ram_bytes = static_cast<std::uint32_t>(bytes + bytes % 2);
   room.line_pixels = 0;
   return room;
 }
@@ -103,14 +106,15 @@ class PixelFollower {
 void execute_pixels(const Scene& scene, const Machine& machine, int share, const PixelTaker& take) {
   Machine alone = board_alone(machine);
   require_execution(alone);
-  const PreparedScene<float> prepared(packed_scene<float>(scene, picture_format_of(machine)));
+  const auto packed = packed_scene<float>(scene, picture_format_of(machine));
+  const PreparedScene<float> prepared(packed);
   SynthesisArea<float> area(prepared.frame().database);
   const models::PixelRectangle zone = useful_zone_of(prepared.frame());
   const PixelSample sample = pixel_sample(alone, zone, share);
   alone.parameters.allotment = sample.allotment;
   const firmware::BoardOrder order = sample_order(alone, zone, sample.step);
   BoardImage image = board_image(models::numbers_of(alone.parameters.board.arithmetic), prepared,
-                                 area.view(), order, roomy(alone, order));
+                                 area.view(), order, roomy(alone, packed));
   PixelFollower follower(alone, order, take);
   models::ProgramSlots slots(1);
   BoardProgram program({image.ram.data(), static_cast<std::uint32_t>(image.ram.size())},
