@@ -10,10 +10,8 @@ inline constexpr std::size_t k_long_bytes = 4;
 
 /// Appends a long word as the 68000 stores it, its highest byte first.
 inline void append_long(std::uint32_t value, std::vector<unsigned char>& bytes) {
-  std::size_t next = bytes.size();
-  bytes.resize(next + k_long_bytes);
   for (const unsigned shift : {24U, 16U, 8U, 0U}) {
-    bytes[next++] = static_cast<unsigned char>(value >> shift);
+    bytes.push_back(static_cast<unsigned char>(value >> shift));
   }
 }
 

@@ -57,6 +57,15 @@ Period elapsed_per_processor_ps(const Kvm02Parameters& board) {
   return ratio(whole, whole - stolen);
 }
 
+template <class Sum, class Costs>
+Sum sum_of_products(const Costs& costs, const firmware::Work& work) {
+  Sum sum = 0;
+  for (std::size_t operation = 0; operation < costs.size(); ++operation) {
+    sum += static_cast<Sum>(costs[operation]) * work.counts[operation];
+  }
+  return sum;
+}
+
 }  // namespace
 
 WorkCost::WorkCost(const Kvm02Parameters& board)
@@ -73,16 +82,21 @@ WorkCost::WorkCost(const Kvm02Parameters& board)
     }
     milliclocks_[operation] = std::llround(clocks * k_milli);
   }
+  Wide most = 0;
+  for (const std::int64_t milliclocks : milliclocks_) {
+    most += static_cast<Wide>(milliclocks) * std::numeric_limits<std::uint32_t>::max();
+  }
+  sums_fit_ = most < k_largest;
   if (is_shared(board.database) && milliclocks(firmware::Operation::load) < datum_milliclocks_) {
     throw std::invalid_argument("board.database_read must not cost more than a load");
   }
 }
 
 std::int64_t WorkCost::milliclocks(const firmware::Work& work) const {
-  Wide sum = 0;
-  for (std::size_t operation = 0; operation < milliclocks_.size(); ++operation) {
-    sum += static_cast<Wide>(milliclocks_[operation]) * work.counts[operation];
+  if (sums_fit_) {
+    return sum_of_products<std::int64_t>(milliclocks_, work);
   }
+  const Wide sum = sum_of_products<Wide>(milliclocks_, work);
   return sum < k_largest ? static_cast<std::int64_t>(sum) : k_largest;
 }
 

@@ -46,6 +46,7 @@ class WorkCost {
 
  private:
   std::array<std::int64_t, firmware::k_operation_count> milliclocks_{};
+  bool sums_fit_ = false;           // into 64 bits, whatever the counts of a Work are
   std::int64_t datum_milliclocks_;  // of a load
   Period milliclock_;
   Period elapsed_per_processor_ps_;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "models/bus/period.hpp"
 
 namespace maquette::models {
@@ -18,9 +16,10 @@ struct AccessLaw {
   /// which the slack alone would have it do when it is longer than the access_clocks: assumption
   /// for processors of more than some 71 MHz, of which the data sheet does not speak.
   [[nodiscard]] Duration duration(Duration slave_access_time) const {
-    return clock.times(
-        std::max(access_clocks + clock.count_to_cover(slave_access_time - access_slack),
-                 clock.count_to_cover(slave_access_time)));
+    const Duration duration =
+        clock.times(access_clocks + clock.count_to_cover(slave_access_time - access_slack));
+    return duration >= slave_access_time ? duration
+                                         : clock.times(clock.count_to_cover(slave_access_time));
   }
 };
 

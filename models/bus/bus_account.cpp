@@ -35,12 +35,12 @@ void BusAccount::decide(Instant instant, const Contenders& standing) {
     }
   };
   for (const Contender& one : standing) {
-    if (!queued_[static_cast<std::size_t>(one.master)]) {
+    if (queued_[static_cast<std::size_t>(one.master)] == 0) {
       const Instant from = std::max(one.request, queue_known_to_);
       pass_grant(from);
       pass_queue_time(from);
       ++queue_length_;
-      queued_[static_cast<std::size_t>(one.master)] = true;
+      queued_[static_cast<std::size_t>(one.master)] = 1;
     }
   }
   pass_grant(instant);
@@ -89,7 +89,7 @@ void BusAccount::record(const BusAccess& access, Instant decision) {
     assign_waits(access);
   }
   statistics_.waited_for[index][index] += arbitration;
-  queued_[index] = false;
+  queued_[index] = 0;
   grant_ = access.grant;
 }
 

@@ -62,7 +62,7 @@ class BusAccount {
 
   // The queue is known up to an arbitration: later requests may still come to be known, and on a
   // decoupled bus earlier ones, which count from when they are.
-  std::vector<bool> queued_;  // by master
+  std::vector<unsigned char> queued_;  // by master: whether it is in the queue
   std::size_t queue_length_ = 0;
   Instant queue_known_to_{-1};
   Instant grant_ = k_never;  // at or after that arbitration, not yet taken off the queue

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::uint32_t k_byte = 0xFF;
 constexpr std::uint16_t k_farthest = 0xFFFF;
-constexpr std::uint8_t k_once_each = 0x11;
 constexpr std::uint8_t k_full_count = 0xF;
 
 // The first byte of a pixel is the highest of its four.
@@ -230,16 +229,6 @@ const std::vector<PixelWriteRecord>& FrameMemory::log() const {
     throw std::logic_error("the frame memory kept no log of its writes");
   }
   return *log_;
-}
-
-bool FrameMemory::written_once(int column, int row) const {
-  return write_counts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(parameters_.width) +
-                       static_cast<std::size_t>(column)] == k_once_each;
-}
-
-bool FrameMemory::untouched(int column, int row) const {
-  return write_counts_[static_cast<std::size_t>(row) * static_cast<std::size_t>(parameters_.width) +
-                       static_cast<std::size_t>(column)] == 0;
 }
 
 }  // namespace maquette::models

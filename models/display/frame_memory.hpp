@@ -88,10 +88,20 @@ class FrameMemory : public sc_core::sc_module {
   [[nodiscard]] const FrameMemoryParameters& parameters() const { return parameters_; }
 
   /// Whether every byte of the pixel has been written exactly once / not at all.
-  [[nodiscard]] bool written_once(int column, int row) const;
-  [[nodiscard]] bool untouched(int column, int row) const;
+  [[nodiscard]] bool written_once(int column, int row) const {
+    return write_counts_[place_of(column, row)] == k_once_each;
+  }
+  [[nodiscard]] bool untouched(int column, int row) const {
+    return write_counts_[place_of(column, row)] == 0;
+  }
 
  private:
+  static constexpr std::uint8_t k_once_each = 0x11;
+
+  [[nodiscard]] std::size_t place_of(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(parameters_.width) +
+           static_cast<std::size_t>(column);
+  }
   void b_transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   unsigned transport_dbg(tlm::tlm_generic_payload& payload);
   [[nodiscard]] bool accept(tlm::tlm_generic_payload& payload) const;

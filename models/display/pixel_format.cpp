@@ -51,6 +51,7 @@ PixelFormat::PixelFormat(const FrameMemoryParameters& parameters) {
     red_ = {red, 4 * k_component_bits - red};
     green_ = {green, 3 * k_component_bits - green};
     blue_ = {blue, 2 * k_component_bits - blue};
+    shows_codes_ = red + green + blue == 3 * k_component_bits;
   }
   for (const Component& component : {red_, green_, blue_}) {
     kept_ |= low_bits(component.bits) << static_cast<unsigned>(component.shift);
@@ -70,6 +71,9 @@ std::uint32_t PixelFormat::written(std::uint32_t rgb, std::uint16_t depth) const
 }
 
 std::uint32_t PixelFormat::colour(std::uint32_t bytes) const {
+  if (shows_codes_) {
+    return bytes >> static_cast<unsigned>(k_component_bits);
+  }
   const auto shown = [bytes](const Component& component) {
     return full_scale(bytes >> static_cast<unsigned>(component.shift) & low_bits(component.bits),
                       component.bits);

@@ -43,6 +43,7 @@ class PixelFormat {
   Component green_{};
   Component blue_{};
   bool has_depth_ = false;
+  bool shows_codes_ = false;  // all 24 planes of colour, whose codes are what is shown
   std::uint32_t kept_ = 0;
 };
 

@@ -39,11 +39,22 @@ Instant VideoSlots::clear_of(Instant access, Instant slot_start) const {
   return overlaps ? slot_start + slot_time_ : access;
 }
 
+VideoSlots::Line VideoSlots::line_at(Instant instant) const {
+  const std::int64_t number = timing_.line_at(instant);
+  const auto active = [this](std::int64_t line) {
+    return timing_.is_active(line) ? std::optional(timing_.active_start(line)) : std::nullopt;
+  };
+  return {timing_.line_period().times(number), timing_.line_period().times(number + 1),
+          active(number), active(number + 1)};
+}
+
 Instant VideoSlots::earliest_access(Instant instant) const {
-  const std::int64_t line = timing_.line_at(instant);
+  if (instant < line_.begin || instant >= line_.next_begin) {
+    line_ = line_at(instant);
+  }
   Instant access = instant;
-  if (timing_.is_active(line)) {
-    const Instant active = timing_.active_start(line);
+  if (line_.active) {
+    const Instant active = *line_.active;
     const std::int64_t slot = instant < active ? 0 : slot_period_.index_at(instant - active);
     if (slot < slots_per_line_) {
       access = clear_of(access, active + slot_period_.times(slot));
@@ -53,8 +64,8 @@ Instant VideoSlots::earliest_access(Instant instant) const {
       return access == instant ? clear_of(access, active + slot_period_.times(slot + 1)) : access;
     }
   }
-  if (timing_.is_active(line + 1)) {
-    access = clear_of(access, timing_.active_start(line + 1));
+  if (line_.next_active) {
+    access = clear_of(access, *line_.next_active);
   }
   return access;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "models/display/frame_memory_parameters.hpp"
 #include "models/display/video_timing.hpp"
 
@@ -17,6 +19,15 @@ class VideoSlots {
   [[nodiscard]] Instant earliest_access(Instant instant) const;
 
  private:
+  /// A line, and when those show pixels that have slots near it.
+  struct Line {
+    Instant begin{};
+    Instant next_begin{};
+    std::optional<Instant> active;       // of this line, if it shows a row
+    std::optional<Instant> next_active;  // of the next
+  };
+
+  [[nodiscard]] Line line_at(Instant instant) const;
   [[nodiscard]] Instant clear_of(Instant access, Instant slot_start) const;
 
   VideoTiming timing_;
@@ -24,6 +35,8 @@ class VideoSlots {
   Duration slot_time_;
   Period slot_period_;
   std::int64_t slots_per_line_;
+  mutable Line
+      line_;  // of the last access: the next one, another word of its pixel, is mostly in it
 };
 
 }  // namespace maquette::models
