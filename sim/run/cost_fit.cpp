@@ -22,25 +22,38 @@ double writes(const models::OperationCost& cost) { return cost.writes; }
 /// One of the three quantities that a cost consists of.
 using Quantity = double (*)(const models::OperationCost&);
 
+using Matrix = std::array<Row, k_classes>;
+
 /// Half the gradient of the sum of squares is matrix * values - vector.
 struct NormalEquations {
-  std::array<Row, k_classes> matrix{};
+  Matrix matrix{};
   Row vector{};
 };
 
-NormalEquations normal_equations(const std::vector<CostSample>& samples, Quantity quantity) {
-  NormalEquations equations;
+Matrix normal_matrix(const std::vector<CostSample>& samples) {
+  Matrix matrix{};
   for (const CostSample& sample : samples) {
-    const double taken = quantity(sample.taken);
     for (std::size_t i = 0; i < k_classes; ++i) {
       const double count = sample.weight * sample.work.counts[i];
-      equations.vector[i] += count * taken;
-      for (std::size_t j = 0; j < k_classes; ++j) {
-        equations.matrix[i][j] += count * sample.work.counts[j];
+      if (count > 0) {
+        for (std::size_t j = 0; j < k_classes; ++j) {
+          matrix[i][j] += count * sample.work.counts[j];
+        }
       }
     }
   }
-  return equations;
+  return matrix;
+}
+
+Row normal_vector(const std::vector<CostSample>& samples, Quantity quantity) {
+  Row vector{};
+  for (const CostSample& sample : samples) {
+    const double taken = quantity(sample.taken);
+    for (std::size_t i = 0; i < k_classes; ++i) {
+      vector[i] += sample.weight * sample.work.counts[i] * taken;
+    }
+  }
+  return vector;
 }
 
 /// Adds what holds values to where they start: small against what any sample tells.
@@ -162,9 +175,8 @@ void shift(const Row& origin, NormalEquations& equations) {
   }
 }
 
-Row fitted(const std::vector<CostSample>& samples, const OperationCosts& start,
-           const OperationCosts& least, Quantity quantity) {
-  NormalEquations equations = normal_equations(samples, quantity);
+Row fitted(NormalEquations equations, const OperationCosts& start, const OperationCosts& least,
+           Quantity quantity) {
   const Row begin = row_of(start, quantity);
   hold_to(begin, equations);
   const Row lowest = row_of(least, quantity);
@@ -180,9 +192,13 @@ Row fitted(const std::vector<CostSample>& samples, const OperationCosts& start,
 
 OperationCosts fitted_costs(const std::vector<CostSample>& samples, const OperationCosts& start,
                             const OperationCosts& least) {
-  const Row internal = fitted(samples, start, least, internal_clocks);
-  const Row read = fitted(samples, start, least, reads);
-  const Row written = fitted(samples, start, least, writes);
+  const Matrix matrix = normal_matrix(samples);
+  const auto of = [&](Quantity quantity) {
+    return fitted({matrix, normal_vector(samples, quantity)}, start, least, quantity);
+  };
+  const Row internal = of(internal_clocks);
+  const Row read = of(reads);
+  const Row written = of(writes);
   OperationCosts costs{};
   for (std::size_t i = 0; i < k_classes; ++i) {
     costs[i] = {internal[i] + k_bus_cycle_clocks * (read[i] + written[i]), read[i], written[i]};

@@ -41,13 +41,13 @@ class PixelRun {
     if (teller_) {
       legs_ = teller_->take();
     }
-    const firmware::LongWork now = firmware::long_counted_work();
-    firmware::LongWork since{};
+    firmware::LongWork since = firmware::counted_meter.sum();
     for (int i = 0; i < firmware::k_operation_count; ++i) {
-      since.counts[i] = now.counts[i] - before_.counts[i];
+      const std::uint64_t now = since.counts[i];
+      since.counts[i] -= before_.counts[i];
+      before_.counts[i] = now;
     }
-    before_ = now;
-    result.work = firmware::narrowed(since);
+    result.work = firmware::narrowed(firmware::general_apart(since));
     return result;
   }
 
