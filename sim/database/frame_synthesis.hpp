@@ -1,7 +1,7 @@
 #pragma once
 
-#include <chrono>
 #include <cstdint>
+#include <ctime>
 
 #include "models/display/picture.hpp"
 #include "sim/database/prepared_scene.hpp"
@@ -12,13 +12,12 @@ namespace maquette::sim {
 struct SynthesizedFrame {
   models::Picture picture;
   std::int64_t rays = 0;
-  double time_s = 0;  ///< of the synthesis alone
+  double time_s = 0;  ///< processor time of the synthesis alone
 };
 
 /// Synthesises every pixel of the useful zone on this thread.
 template <class Real>
 SynthesizedFrame synthesized_frame(const PreparedScene<Real>& scene) {
-  using Clock = std::chrono::steady_clock;
   const firmware::Frame<Real>& frame = scene.frame();
   const firmware::Rectangle& zone = frame.prepared.useful_zone;
   const firmware::Observer<Real>& observer = frame.database.observer;
@@ -29,7 +28,7 @@ SynthesizedFrame synthesized_frame(const PreparedScene<Real>& scene) {
                     std::vector<std::uint32_t>(static_cast<std::size_t>(observer.columns) *
                                                    static_cast<std::size_t>(observer.rows),
                                                firmware::rgb_of(frame.database.background))};
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock();
   for (std::int16_t row = zone.first_row; row < zone.end_row; ++row) {
     std::uint32_t* const pixels =
         result.picture.pixels.data() +
@@ -41,7 +40,7 @@ SynthesizedFrame synthesized_frame(const PreparedScene<Real>& scene) {
           pixel.rays.primary + pixel.rays.reflected + pixel.rays.refracted + pixel.rays.shadow;
     }
   }
-  result.time_s = std::chrono::duration<double>(Clock::now() - start).count();
+  result.time_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return result;
 }
 

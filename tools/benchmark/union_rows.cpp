@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <random>
 
 #include "sim/database/frame_synthesis.hpp"
@@ -72,7 +72,6 @@ struct Measured {
 };
 
 Measured measured(sim::Object object) {
-  using Clock = std::chrono::steady_clock;
   sim::Scene scene;
   scene.view.eye = {0.3, -4, 1.1};
   scene.view.target = {0, 0, 0};
@@ -81,19 +80,20 @@ Measured measured(sim::Object object) {
   scene.surfaces.emplace_back().name = "matt";
   scene.object = std::move(object);
   scene.object.surface = "matt";
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock();
   sim::PackedScene<float> packed = sim::packed_scene<float>(scene, {384, 288});
-  const Clock::time_point is_packed = Clock::now();
+  const std::clock_t is_packed = std::clock();
   const sim::PreparedScene<float> prepared(std::move(packed));
-  const Clock::time_point is_prepared = Clock::now();
+  const std::clock_t is_prepared = std::clock();
   double least = 1e9;
   for (int i = 0; i < k_repetitions; ++i) {
     const sim::SynthesizedFrame frame = sim::synthesized_frame(prepared);
     least = std::min(least, frame.time_s / static_cast<double>(frame.rays));
   }
-  const std::chrono::duration<double> packing = is_packed - start;
-  const std::chrono::duration<double> preprocessing = is_prepared - is_packed;
-  return {least * 1e9, packing.count(), preprocessing.count()};
+  const auto seconds = [](std::clock_t from, std::clock_t to) {
+    return static_cast<double>(to - from) / CLOCKS_PER_SEC;
+  };
+  return {least * 1e9, seconds(start, is_packed), seconds(is_packed, is_prepared)};
 }
 
 void add_rows(Filling filling, const char* name, const char* meaning, std::optional<double> bound,
