@@ -57,7 +57,8 @@ Errand& ErrandDesk::begin(const SynthesizedPixel& pixel) {
   return errand;
 }
 
-// Up to its next place with a unit, from there to the unit, or to its end.
+// Up to its next place with a unit, from there to the unit, or to its end. The board stays for the
+// tick in which places are given, lest one that is free is kept while it works at another pixel.
 void ErrandDesk::go_on(Errand& errand, const DispatchedBoard& board) {
   if (errand.place != nullptr) {
     send(errand, board.processor);
@@ -74,7 +75,16 @@ void ErrandDesk::go_on(Errand& errand, const DispatchedBoard& board) {
   }
   board.processor.pass();
   errand.last_kind = errand.hop().kind;
-  site_.groups[static_cast<std::size_t>(errand.hop().kind)]->ask(errand, grant_);
+  const auto kind = static_cast<std::size_t>(errand.hop().kind);
+  const Instant asked = kernel_now();
+  site_.groups[kind]->ask(errand, grant_);
+  while (kernel_now() == asked) {
+    something_ready_.notify(to_sc_time(k_tick));
+    board.processor.await(something_ready_, &BoardStatistics::wait_unit);
+  }
+  something_ready_.notify(sc_core::SC_ZERO_TIME);  // the decision is taken in this instant
+  board.processor.await(something_ready_, &BoardStatistics::wait_unit);
+  waits_[kind] += kernel_now() - asked;
 }
 
 void ErrandDesk::send(Errand& errand, Processor& processor) {
@@ -87,7 +97,9 @@ void ErrandDesk::send(Errand& errand, Processor& processor) {
 void ErrandDesk::make_ready(Errand& errand) {
   errand.since = kernel_now();
   const auto before = [](const Errand* a, const Errand* b) {
-    return std::tie(a->since, a->number) < std::tie(b->since, b->number);
+    const bool a_has_none = a->place == nullptr;
+    const bool b_has_none = b->place == nullptr;
+    return std::tie(a_has_none, a->since, a->number) < std::tie(b_has_none, b->since, b->number);
   };
   ready_.insert(std::upper_bound(ready_.begin(), ready_.end(), &errand, before), &errand);
   something_ready_.notify(sc_core::SC_ZERO_TIME);

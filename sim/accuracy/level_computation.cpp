@@ -76,7 +76,8 @@ LevelOutcome counted(const LevelTask& task, Machine& priced) {
 }
 
 LevelOutcome replayed(const LevelTask& task) {
-  const RecordedFrame record = record_frame(task.scene, picture_format_of(task.machine), 1);
+  const RecordedFrame record = record_frame(task.scene, picture_format_of(task.machine), 1,
+                                            FunctionsOfPixels::untold, legs_wanted(task.machine));
   SimulationRequest request;
   request.record = &record;
   return timed([&] { return simulated(task, task.machine, request); });

@@ -82,8 +82,8 @@ std::optional<RecordedFrame> record_for(const RunOptions& options, const Descrip
   if (options.record.empty()) {
     return std::nullopt;
   }
-  std::optional<RecordedFrame> record =
-      record_frame(scene, picture_format_of(machine), threads, FunctionsOfPixels::told);
+  std::optional<RecordedFrame> record = record_frame(scene, picture_format_of(machine), threads,
+                                                     FunctionsOfPixels::told, legs_wanted(machine));
   save_record(options.record, *record);
   return record;
 }

@@ -26,6 +26,9 @@ BoardRoom board_room(const Machine& machine, std::uint32_t shared_database) {
         machine.parameters.frame_memory.width, machine.parameters.frame_memory.height}
                                                           .bytes());
   }
+  if (models::has_units(machine.parameters.units)) {
+    room.pixels_in_flight = static_cast<std::uint32_t>(machine.parameters.units.in_flight);
+  }
   room.order = machine.parameters.allotment.order;
   return room;
 }

@@ -21,7 +21,8 @@ struct BoardRoom {
   std::uint32_t package_bytes;
   /// Where the arrays of the scene are when they are in shared memory instead.
   std::optional<std::uint32_t> shared_database = {};
-  models::Allotment order = {};  ///< of the pixels, which has its program
+  models::Allotment order = {};        ///< of the pixels, which has its program
+  std::uint32_t pixels_in_flight = 0;  ///< of boards that hand out errands; else 0
 };
 
 /// The room in the boards of a machine; `shared_database` matters only when they share one.

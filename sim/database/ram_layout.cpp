@@ -41,6 +41,18 @@ void add_prepared(const firmware::Frame<float>& frame, Stacker& stacker) {
                     database.needs.shaped_lights ? database.light_count : 0U);
 }
 
+void add_pixels_in_flight(const BoardRoom& room, Stacker& stacker) {
+  if (room.pixels_in_flight == 0) {
+    return;
+  }
+  const std::int64_t work_area =
+      room.crossings * firmware::board_bytes<firmware::Crossing<float>>() +
+      room.waiting_rays * firmware::board_bytes<firmware::PendingRay<float>>() + room.stack_bytes;
+  const std::int64_t pixels = room.pixels_in_flight;
+  stacker.add(k_in_flight_use,
+              pixels * firmware::BoardLayout::k_long_bytes + (pixels - 1) * work_area);
+}
+
 }  // namespace
 
 RamLayout ram_layout(const firmware::BoardTask<float>& task,
@@ -76,6 +88,7 @@ RamLayout ram_layout(const firmware::BoardTask<float>& task,
   if (room.own_pixel_bytes > 0) {
     stacker.add("own pixels", room.own_pixel_bytes, &task.order.frame_memory);
   }
+  add_pixels_in_flight(room, stacker);
   layout.used_bytes = stacker.end() + room.stack_bytes;
   layout.places = stacker.take();
   layout.places.push_back(

@@ -32,9 +32,13 @@ struct RamLayout {
   [[nodiscard]] bool fits(const BoardRoom& room) const { return used_bytes <= room.ram_bytes; }
 };
 
+/// What units write into a board's RAM begins here.
+inline constexpr std::string_view k_in_flight_use = "pixels in flight";
+
 /// Lays out a board's RAM for a task by firmware/layout.hpp: system, program, the scene's arrays,
 /// the task with its conversion, what preprocessing makes of them, work area, line of pixels, own
-/// pixels, stack.
+/// pixels, pixels in flight, stack. Of those each has a mailbox, and all but one a work area and a
+/// stack of their own.
 [[nodiscard]] RamLayout ram_layout(const firmware::BoardTask<float>& task,
                                    const firmware::Conversion<float>& conversion,
                                    const BoardPieces& pieces, const BoardRoom& room);

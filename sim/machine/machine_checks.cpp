@@ -13,6 +13,7 @@
 #include "models/display/video_gaps.hpp"
 #include "models/machine/address_blocks.hpp"
 #include "sim/fields/quantity.hpp"
+#include "sim/machine/unit_checks.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
@@ -73,6 +74,14 @@ void check_places(const Machine& machine, const YamlNode& root) {
     take(boards[i], "board " + std::to_string(i), "boards.places");
   }
   take(machine.parameters.host.place, "the host", "host.place");
+  for (std::size_t kind = 0, unit = 0; kind < models::k_unit_kind_count; ++kind) {
+    const models::FunctionUnitParameters& units = machine.parameters.units.kinds[kind];
+    for (int i = 0; i < units.number; ++i, ++unit) {
+      const std::string name = models::k_unit_kind_names[kind];
+      take(models::unit_place(units, boards.size(), unit), name + " unit " + std::to_string(i),
+           "units." + name + ".request_level");
+    }
+  }
 }
 
 /// Lines of the picture in each field.
@@ -317,6 +326,7 @@ void check_machine(const Machine& machine, const YamlNode& root) {
   check_ports(machine.parameters, root);
   check_distribution(machine.parameters, root);
   check_interlace(machine.parameters, root);
+  check_units(machine, root);
 }
 
 }  // namespace maquette::sim

@@ -1,5 +1,7 @@
 #include "sim/machine/machine_description.hpp"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "sim/fields/field_reader.hpp"
@@ -36,6 +38,10 @@ std::vector<ParameterRow> list_parameters(Machine machine) {
   declare_machine(table, machine);
   ParameterTable defaults;
   Machine standard = default_machine();
+  for (std::size_t kind = 0; kind < machine.parameters.units.kinds.size(); ++kind) {
+    standard.parameters.units.kinds[kind].number =
+        std::min(machine.parameters.units.kinds[kind].number, 1);  // a kind that is there has one
+  }
   declare_machine(defaults, standard);
   return with_defaults(table.rows(), defaults.rows());
 }

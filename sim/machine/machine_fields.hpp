@@ -7,6 +7,7 @@
 #include "sim/machine/board_places.hpp"
 #include "sim/machine/cost_fields.hpp"
 #include "sim/machine/machine.hpp"
+#include "sim/machine/unit_fields.hpp"
 
 /// Every parameter of a machine, declared once. Marks of the figures: [R] read in the source named,
 /// [M] measured on an instruction-level processor, [W] widely stated, [I] inferred here.
@@ -336,6 +337,7 @@ void declare_machine(Visitor& visitor, Machine& machine) {
                 [&] { declare_allotment(visitor, parameters.allotment); });
   visitor.group({"shared_memory", "a memory board on the bus, when boards share something"},
                 [&] { declare_shared_memory(visitor, parameters.shared_memory); });
+  declare_units(visitor, parameters.units);
 }
 
 }  // namespace maquette::sim

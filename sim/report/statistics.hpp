@@ -8,6 +8,7 @@
 #include "models/bus/duration.hpp"
 #include "sim/report/function_statistics.hpp"
 #include "sim/report/statistics_field.hpp"
+#include "sim/report/unit_statistics.hpp"
 
 namespace maquette::sim {
 
@@ -59,7 +60,8 @@ struct UsefulZone {
   }
 };
 
-/// A board's pixels and states; the four states sum to the frame time exactly.
+/// A board's pixels and states; the four states sum to the frame time exactly, with a fifth one on
+/// machines with function units (BoardWaits).
 struct BoardStatistics {
   std::string name;
   std::int64_t pixels = 0;
@@ -322,6 +324,7 @@ struct Statistics {
   FrameStatistics frame;
   UsefulZone useful_zone;
   std::vector<BoardStatistics> boards;
+  std::optional<UnitsStatistics> units;
   BusStatistics bus;
   RayStatistics rays;
   RootStatistics roots;
@@ -338,6 +341,7 @@ struct Statistics {
     return std::make_tuple(
         field("frame", "", "", &Self::frame), field("useful_zone", "", "", &Self::useful_zone),
         field("boards", "", "in board order; states sum to the frame time", &Self::boards),
+        field("units", "", "of a machine that has some", &Self::units),
         field("bus", "", "", &Self::bus), field("rays", "", "of all pixels", &Self::rays),
         field("roots", "", "", &Self::roots),
         field("work", "operations", "of all pixels, per operation class", &Self::work),

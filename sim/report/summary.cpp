@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "sim/report/seconds.hpp"
@@ -58,6 +59,33 @@ std::string board_lines(const Statistics& statistics) {
     }
   }
   return text;
+}
+
+/// What function units and the boards' waits for them come to; nothing where there are none.
+std::string unit_lines(const std::optional<UnitsStatistics>& statistics) {
+  if (!statistics) {
+    return "";
+  }
+  constexpr double k_percent = 100;
+  std::string text = fmt::format("\n{:<18}{:>10}{:>12}{:>12}{:>12}{:>12}{:>10}\n", "unit",
+                                 "errands", "serves s", "wait s", "transfer s", "idle s", "busy");
+  for (const FunctionUnitStatistics& unit : statistics->units) {
+    text += fmt::format("{:<18}{:>10}{:>12.4f}{:>12.4f}{:>12.4f}{:>12.4f}{:>9.2f}%\n", unit.name,
+                        unit.errands, in_seconds(unit.serve),
+                        in_seconds(unit.wait_grant + unit.wait_place), in_seconds(unit.transfer),
+                        in_seconds(unit.idle), k_percent * unit.utilisation);
+  }
+  for (const UnitKindStatistics& kind : statistics->kinds) {
+    text += fmt::format("  {:<16}a place after {} on the mean, {} at most; then {} in the queue\n",
+                        kind.kind, readable_duration(kind.place_mean),
+                        readable_duration(kind.place_max), readable_duration(kind.queued_mean));
+  }
+  for (const BoardWaits& board : statistics->boards) {
+    text += fmt::format("  {:<16}waited {} for units\n", board.name, readable_duration(board.wait));
+  }
+  return text + fmt::format("bottleneck      {}, {:.1f} % busy; boards {:.1f} %\n",
+                            statistics->bottleneck, k_percent * statistics->bottleneck_utilisation,
+                            k_percent * statistics->board_utilisation);
 }
 
 /// The options that trace a wait, with as much before and after it, in whole microseconds.
@@ -199,8 +227,9 @@ std::string summarise(const Statistics& statistics, const std::string& times_fro
                       const std::string& paper_time, double host_time_s) {
   return frame_lines(statistics, paper_time) +
          fmt::format("times           from {}\n", times_from) + board_lines(statistics) +
-         bus_lines(statistics.bus) + ray_lines(statistics) + root_lines(statistics.roots) +
-         work_lines(statistics.work, clocks_of(statistics)) + function_lines(statistics.functions) +
+         unit_lines(statistics.units) + bus_lines(statistics.bus) + ray_lines(statistics) +
+         root_lines(statistics.roots) + work_lines(statistics.work, clocks_of(statistics)) +
+         function_lines(statistics.functions) +
          fmt::format("\nhost            {:.2f} s, {}\n", host_time_s,
                      speed_of(in_seconds(statistics.frame.time), host_time_s));
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <string>
 
 #include "sim/yaml/description_error.hpp"
 
@@ -90,17 +92,27 @@ void finish_record(const models::CcettMachine& model, BusRecord& record) {
   const Instant start = statistics.load_time;
   record.window.to = std::min(record.window.to, statistics.frame_time);
   record.window.from = std::min(record.window.from, record.window.to);
-  for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
+  const auto add_master = [&](const std::string& name, std::optional<Instant> finish) {
+    const std::size_t i = record.boards.size();
     const std::size_t backplane = i % model.backplanes();
     const models::VersaBus& bus = model.bus(backplane);
     const int master = static_cast<int>(i / model.backplanes());
-    RecordedBoard board{fmt::format("board{}", i), bus.master_place(master).level, {}};
-    if (const auto finish = statistics.boards[i].finished) {
+    RecordedBoard board{name, bus.master_place(master).level, {}};
+    if (finish) {
       board.finish = *finish - start;
     }
     record.boards.push_back(std::move(board));
     if (const auto request = bus.standing_request(master)) {
       record.buses[backplane].standing.push_back({i, *request - start});
+    }
+  };
+  for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
+    add_master(fmt::format("board{}", i), statistics.boards[i].finished);
+  }
+  for (const models::UnitKindStatistics& kind : statistics.units) {
+    const char* name = models::k_unit_kind_names[static_cast<std::size_t>(kind.kind)];
+    for (std::size_t i = 0; i < kind.units.size(); ++i) {
+      add_master(fmt::format("{}{}", name, i), std::nullopt);
     }
   }
 }

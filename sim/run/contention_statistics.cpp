@@ -15,8 +15,29 @@ namespace {
 
 using models::Duration;
 
-std::string board_name(int board) {
-  return board == models::k_nobody ? "nobody" : fmt::format("board{}", board);
+/// A board or a function unit, as a master of the bus.
+struct Master {
+  std::string name;
+  const models::BoardStatistics* states;
+};
+
+/// All masters but the host, in the order of their numbers.
+std::vector<Master> masters_of(const models::MachineStatistics& model) {
+  std::vector<Master> masters;
+  for (const models::BoardStatistics& board : model.boards) {
+    masters.push_back({fmt::format("board{}", masters.size()), &board});
+  }
+  for (const models::UnitKindStatistics& kind : model.units) {
+    const char* name = models::k_unit_kind_names[static_cast<std::size_t>(kind.kind)];
+    for (std::size_t i = 0; i < kind.units.size(); ++i) {
+      masters.push_back({fmt::format("{}{}", name, i), &kind.units[i].states});
+    }
+  }
+  return masters;
+}
+
+std::string name_of(int master, const std::vector<Master>& masters) {
+  return master == models::k_nobody ? "nobody" : masters[static_cast<std::size_t>(master)].name;
 }
 
 double ratio(models::Wide part_ps, Duration whole) {
@@ -27,18 +48,18 @@ WaitQuantiles quantiles_of(const models::WaitHistogram& waits) {
   return {waits.quantile(500), waits.quantile(900), waits.quantile(990), waits.quantile(999)};
 }
 
-MasterStatistics master_statistics(const models::MachineStatistics& model, std::size_t number) {
-  const models::BoardStatistics& board = model.boards[number];
+MasterStatistics master_statistics(const models::MachineStatistics& model,
+                                   const std::vector<Master>& masters, std::size_t number) {
+  const models::BoardStatistics& states = *masters[number].states;
   const models::BusMasterStatistics& on_bus = model.bus.masters[number];
   MasterStatistics master;
-  master.name = board_name(static_cast<int>(number));
-  master.transfers = board.words;
-  master.wait = board.wait_grant;
-  master.wait_max = board.longest_wait;
+  master.name = masters[number].name;
+  master.transfers = states.words;
+  master.wait = states.wait_grant;
+  master.wait_max = states.longest_wait;
   master.wait_quantiles = quantiles_of(on_bus.waits);
   const auto& row = model.bus.waited_for[number];
-  master.waited_for.assign(row.begin(),
-                           row.begin() + static_cast<std::ptrdiff_t>(model.boards.size()));
+  master.waited_for.assign(row.begin(), row.begin() + static_cast<std::ptrdiff_t>(masters.size()));
   for (const models::WaitHistogram::Bucket& bucket : on_bus.waits.buckets()) {
     master.waits.push_back({bucket.from, bucket.to, bucket.count});
   }
@@ -49,15 +70,16 @@ MasterStatistics master_statistics(const models::MachineStatistics& model, std::
   return master;
 }
 
-LongestWait longest_wait(const models::MachineStatistics& model) {
+LongestWait longest_wait(const models::MachineStatistics& model,
+                         const std::vector<Master>& masters) {
   LongestWait longest;
-  for (std::size_t i = 0; i < model.boards.size(); ++i) {
+  for (std::size_t i = 0; i < masters.size(); ++i) {
     const models::BusMasterStatistics& master = model.bus.masters[i];
     const Duration requested_at = master.longest_wait_request - model.load_time;
     if (master.longest_wait > longest.time ||
         (master.longest_wait == longest.time && requested_at < longest.requested_at)) {
-      longest = {master.longest_wait, requested_at, board_name(static_cast<int>(i)),
-                 board_name(master.longest_wait_behind)};
+      longest = {master.longest_wait, requested_at, masters[i].name,
+                 name_of(master.longest_wait_behind, masters)};
     }
   }
   return longest;
@@ -90,11 +112,11 @@ Duration bus_time_of(const models::MachineStatistics& model) {
 }
 
 /// The requests of the host, before the frame, stood alone: they are taken off the queue.
-QueueStatistics queue_statistics(const models::MachineStatistics& model) {
+QueueStatistics queue_statistics(const models::MachineStatistics& model, std::size_t host) {
   const Duration bus_time = bus_time_of(model);
   std::vector<Duration> times{bus_time};
   times.insert(times.end(), model.bus.queue_times.begin(), model.bus.queue_times.end());
-  for (std::size_t i = model.boards.size(); i < model.bus.masters.size(); ++i) {
+  for (std::size_t i = host; i < model.bus.masters.size(); ++i) {
     times[1] -= model.bus.masters[i].waited;
   }
   models::Wide requests_ps = 0;
@@ -120,15 +142,16 @@ BusStatistics contention_statistics(const models::MachineStatistics& model) {
   BusStatistics bus;
   models::Wide waited_ps = 0;
   models::WaitHistogram waits;
-  for (std::size_t i = 0; i < model.boards.size(); ++i) {
-    const models::BoardStatistics& board = model.boards[i];
-    bus.transfers += board.words;
-    bus.database_words += board.database_words;
-    bus.busy = models::checked_sum(bus.busy, board.transfer);
-    waited_ps += board.wait_grant.count();
-    bus.wait_max = std::max(bus.wait_max, board.longest_wait);
+  const std::vector<Master> masters = masters_of(model);
+  for (std::size_t i = 0; i < masters.size(); ++i) {
+    const models::BoardStatistics& states = *masters[i].states;
+    bus.transfers += states.words;
+    bus.database_words += states.database_words;
+    bus.busy = models::checked_sum(bus.busy, states.transfer);
+    waited_ps += states.wait_grant.count();
+    bus.wait_max = std::max(bus.wait_max, states.longest_wait);
     waits.add(model.bus.masters[i].waits);
-    bus.masters.push_back(master_statistics(model, i));
+    bus.masters.push_back(master_statistics(model, masters, i));
   }
   if (bus.transfers > 0) {
     bus.wait_mean =
@@ -136,9 +159,9 @@ BusStatistics contention_statistics(const models::MachineStatistics& model) {
   }
   bus.utilisation = ratio(bus.busy.count(), bus_time_of(model));
   bus.wait_quantiles = quantiles_of(waits);
-  bus.longest_wait = longest_wait(model);
+  bus.longest_wait = longest_wait(model, masters);
   bus.fairness = fairness_of(model);
-  bus.queue = queue_statistics(model);
+  bus.queue = queue_statistics(model, masters.size());
   return bus;
 }
 

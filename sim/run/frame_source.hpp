@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/board/pixel_source.hpp"
+#include "sim/machine/machine.hpp"
 #include "sim/record/function_work.hpp"
 
 namespace maquette::sim {
@@ -14,5 +15,10 @@ class FrameSource : public models::PixelSource {
 
 /// Whether a source tells the legs of its pixels: it has more to do and to keep then.
 enum class LegsOfPixels { untold, told };
+
+/// Told for machines with function units, which are handed them.
+inline LegsOfPixels legs_wanted(const Machine& machine) {
+  return models::has_units(machine.parameters.units) ? LegsOfPixels::told : LegsOfPixels::untold;
+}
 
 }  // namespace maquette::sim

@@ -7,6 +7,7 @@
 
 #include "models/bus/wide.hpp"
 #include "sim/run/contention_statistics.hpp"
+#include "sim/run/units_statistics.hpp"
 
 namespace maquette::sim {
 
@@ -24,7 +25,8 @@ BoardStatistics board_statistics(const models::BoardStatistics& board, std::size
   result.claim = board.claiming;
   result.claims = board.claims;
   result.claim_failed_tries = board.failed_tries;
-  if (board.compute + board.wait_grant + board.transfer + board.idle != frame_time) {
+  if (board.compute + board.wait_grant + board.transfer + board.wait_unit + board.idle !=
+      frame_time) {
     throw std::logic_error(result.name + "'s states do not sum to the frame time");
   }
   return result;
@@ -98,6 +100,7 @@ Statistics frame_statistics(const models::MachineStatistics& model, const Machin
   }
   statistics.roots = roots_of(statistics.work);
   statistics.bus = contention_statistics(model);
+  statistics.units = units_statistics(model, statistics.bus.utilisation);
   std::copy(std::begin(preprocessing.counts), std::end(preprocessing.counts),
             statistics.preprocess_work.begin());
   statistics.partial = !model.has_finished;

@@ -31,10 +31,13 @@ RecordedFrame record_of(const Scene& scene, const Machine& machine,
   const RecordKey key = record_key_of(scene, machine);
   const std::filesystem::path file = record_file(directory, key);
   if (std::filesystem::exists(file)) {
-    return load_record(file, key);
+    RecordedFrame kept = load_record(file, key);
+    if (legs_wanted(machine) == LegsOfPixels::untold || kept.has_legs()) {
+      return kept;
+    }
   }
-  RecordedFrame record =
-      record_frame(scene, picture_format_of(machine), threads, FunctionsOfPixels::told);
+  RecordedFrame record = record_frame(scene, picture_format_of(machine), threads,
+                                      FunctionsOfPixels::told, legs_wanted(machine));
   save_record(file, record);
   return record;
 }

@@ -22,7 +22,8 @@ void save_record(const std::filesystem::path& file, const RecordedFrame& record)
 std::filesystem::path record_file(const std::filesystem::path& directory, const RecordKey& key);
 
 /// The record of a scene from a directory of records, which is synthesised on `threads` threads and
-/// kept there when it is missing. Throws DescriptionError.
+/// kept there when it is missing, or lacks the legs that the machine wants. Throws
+/// DescriptionError.
 RecordedFrame record_of(const Scene& scene, const Machine& machine,
                         const std::filesystem::path& directory, int threads);
 

@@ -25,6 +25,7 @@
 #include "sim/run/line_recorder.hpp"
 #include "sim/run/pixel_watch.hpp"
 #include "sim/run/time_forecast.hpp"
+#include "sim/run/unit_start.hpp"
 #include "sim/run/video_recorder.hpp"
 #include "sim/yaml/description_error.hpp"
 
@@ -162,6 +163,10 @@ void add_functions(const models::CcettMachine& model, const Machine& machine,
     statistics.functions.from = "absent: boards execute their program";
     return;
   }
+  if (models::has_units(machine.parameters.units)) {
+    statistics.functions.from = "absent: units do a part of the work at prices of their own";
+    return;
+  }
   statistics.functions = function_statistics(model.statistics(), machine, work);
 }
 
@@ -267,17 +272,34 @@ void check_extents(const Scene& scene, const SimulationRequest& request) {
   }
 }
 
+/// Units are handed legs of pixels, which only counted ones have.
+void check_units(const Machine& machine, const SimulationRequest& request) {
+  if (request.executed && models::has_units(machine.parameters.units)) {
+    throw DescriptionError(
+        "units: the boards' program, which is executed, hands out no errands; allowed: a machine "
+        "without units, or a processor whose work is counted");
+  }
+  if (request.record != nullptr && legs_wanted(machine) == LegsOfPixels::told &&
+      !request.record->has_legs()) {
+    throw DescriptionError(
+        "units: the record does not tell how its pixels were made; allowed: one that was made "
+        "(--record) for a machine with units, pixels that are counted, or a machine without units");
+  }
+}
+
 SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
                                   const SimulationRequest& request, const Continue& go_on) {
   check_extents(scene, request);
+  check_units(machine, request);
   const auto packed = packed_scene<float>(scene, picture_format_of(machine));
   const MemoryMap map = checked_map(scene, machine, packed);
   const Machine roomy = with_room(machine, map);
   const std::optional<Calibration> calibration = calibration_of(scene, roomy, request);
-  const Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
-  const FramePixels pixels =
-      frame_pixels(scene, priced, request.record, request.executed, request.threads);
+  Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
+  const FramePixels pixels = frame_pixels(scene, priced, request.record, request.executed,
+                                          request.threads, legs_wanted(machine));
   models::FrameSetup setup;
+  setup.legs = pixels.legs;
   setup.useful_zone = pixels.zone;
   setup.background = firmware::rgb_of(packed.header.background);
   if (request.executed) {
@@ -285,6 +307,7 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   } else {
     set_images(packed, roomy, setup);
   }
+  set_units(scene, packed, map, priced, setup);
   if (request.held != nullptr) {
     models::FrameSetup before;
     before.useful_zone = setup.useful_zone;

@@ -1,6 +1,7 @@
 #include "sim/sweep/study_run.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 
 #include <exception>
 #include <map>
@@ -114,10 +115,14 @@ SharedWork shared_work_of(const StudyPoints& points, const Batch& batch) {
     return shared;
   }
   const Description first = points.description(batch.numbers.front());
-  shared.record = record_frame(first.scene, picture_format_of(first.machine), 1);
+  LegsOfPixels legs = LegsOfPixels::untold;
   for (const int number : batch.numbers) {
-    calibrate_for(points.description(number), shared);
+    const Description description = points.description(number);
+    calibrate_for(description, shared);
+    legs = std::max(legs, legs_wanted(description.machine));
   }
+  shared.record = record_frame(first.scene, picture_format_of(first.machine), 1,
+                               FunctionsOfPixels::untold, legs);
   return shared;
 }
 
