@@ -79,6 +79,7 @@ void BusAccount::record(const BusAccess& access, Instant decision) {
   ++master.transfers;
   master.busy += access.end - access.grant;
   master.arbitration += arbitration;
+  master.handover += access.handover;
   master.waited += wait;
   master.waits.add(wait);
   if (wait > master.longest_wait) {

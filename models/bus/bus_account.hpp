@@ -22,7 +22,8 @@ struct BusAccess {
   bool kept = false;          ///< until the decision, the master of the access before kept the bus
   bool test_and_set = false;  ///< it reads, and then writes in the same cycle
   std::uint32_t data =
-      0;  ///< written, or read: first byte in the highest place, as the 68000 has it
+      0;                ///< written, or read: first byte in the highest place, as the 68000 has it
+  Duration handover{};  ///< of the time from decision to grant: another master had the bus before
 };
 
 /// Keeps the statistics of a bus while it decides one access after the other.

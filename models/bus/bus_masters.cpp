@@ -80,7 +80,8 @@ BusAccess BusMasters::access_of(const BusGrant& granted, const AccessResult& res
           result.status == tlm::TLM_OK_RESPONSE,
           granted.kept,
           burst.transaction().test_and_set,
-          observer_ ? burst.word() : 0};
+          observer_ ? burst.word() : 0,
+          granted.handover};
 }
 
 bool BusMasters::keeps_bus(const BusAccess& access) const {

@@ -15,6 +15,7 @@ void add(BusMasterStatistics& sum, const BusMasterStatistics& master) {
   sum.busy = checked_sum(sum.busy, master.busy);
   sum.held = checked_sum(sum.held, master.held);
   sum.arbitration = checked_sum(sum.arbitration, master.arbitration);
+  sum.handover = checked_sum(sum.handover, master.handover);
   sum.waited = checked_sum(sum.waited, master.waited);
   if (master.longest_wait > sum.longest_wait) {
     sum.longest_wait = master.longest_wait;

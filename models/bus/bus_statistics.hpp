@@ -17,6 +17,7 @@ struct BusMasterStatistics {
   Duration busy{};             ///< grants to releases
   Duration held{};             ///< gaps between accesses during which the bus was kept
   Duration arbitration{};      ///< from the bus free and requested to the grants
+  Duration handover{};         ///< of `arbitration`: since another master had the bus before
   Duration waited{};           ///< requests to grants, arbitration included
   Duration longest_wait{};     ///< the earliest of the longest
   Instant longest_wait_request{};

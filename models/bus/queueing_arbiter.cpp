@@ -12,8 +12,8 @@ QueueingArbiter::QueueingArbiter(const VersaBusParameters& parameters, Duration 
     : policy_(parameters.arbitration), quantum_(quantum), account_(account) {
   const Period clock = Period::of_frequency(parameters.clock_hz);
   arbitration_ = clock.times(parameters.arbitration_clocks);
-  arbitration_and_handover_ =
-      clock.times(parameters.arbitration_clocks + parameters.handover_clocks);
+  handover_ =
+      clock.times(parameters.arbitration_clocks + parameters.handover_clocks) - arbitration_;
 }
 
 void QueueingArbiter::enter(const Contender& contender) {
@@ -69,25 +69,25 @@ BusGrant QueueingArbiter::decide() {
   if (kept) {
     account_.keep(holder_, instant - free_at_);
     if (keeps_at(instant)) {
-      return granted(holder_, instant, instant, kept);
+      return granted(holder_, instant, {}, {}, kept);
     }
     holder_ = k_nobody;
     free_at_ = instant;
   }
   const int winner = is_in_turn() ? runner_ : policy_.choose(standing, previous_);
-  const bool handover = previous_ != k_nobody && previous_ != winner;
-  return granted(winner, instant, instant + (handover ? arbitration_and_handover_ : arbitration_),
-                 kept);
+  const bool hands_over = previous_ != k_nobody && previous_ != winner;
+  return granted(winner, instant, arbitration_, hands_over ? handover_ : Duration{}, kept);
 }
 
-BusGrant QueueingArbiter::granted(int master, Instant decision, Instant grant, bool kept) {
+BusGrant QueueingArbiter::granted(int master, Instant decision, Duration arbitration,
+                                  Duration handover, bool kept) {
   const Instant request = requests_.request_of(master);
   if (!is_in_turn()) {
     runner_ = master;
     turn_end_ = quantum_end(decision);
   }
   requests_.remove(master);
-  return {master, request, decision, grant, kept};
+  return {master, request, decision, decision + arbitration + handover, kept, handover};
 }
 
 void QueueingArbiter::release(const BusGrant& granted, Instant end, bool keeps) {

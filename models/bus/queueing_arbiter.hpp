@@ -40,11 +40,12 @@ class QueueingArbiter : public BusArbiter {
   [[nodiscard]] Instant earliest_clear_request() const;
   [[nodiscard]] bool keeps_at(Instant instant) const;
   [[nodiscard]] Instant quantum_end(Instant instant) const;
-  BusGrant granted(int master, Instant decision, Instant grant, bool kept);
+  BusGrant granted(int master, Instant decision, Duration arbitration, Duration handover,
+                   bool kept);
 
   ArbitrationPolicy policy_;
   Duration arbitration_;
-  Duration arbitration_and_handover_;
+  Duration handover_;
   Duration quantum_;
   BusAccount& account_;
 

@@ -17,8 +17,8 @@ namespace {
 Html figures_of(const BusStatistics& bus) {
   std::vector<std::pair<std::string, std::string>> rows{
       {"Transfers", std::to_string(bus.transfers)},
-      {"Busy", fmt::format("{}, {} of the frame", readable_duration(bus.busy),
-                           percent(bus.utilisation, 3))},
+      {"Occupied", fmt::format("{} of the frame; transfers take {}", percent(bus.occupied, 3),
+                               readable_duration(bus.busy))},
       {"Wait for grant", fmt::format("mean {}, longest {}", readable_duration(bus.wait_mean),
                                      readable_duration(bus.wait_max))},
       {"Queue", fmt::format("mean {:.3g} requests, at most {}", bus.queue.mean, bus.queue.longest)},
@@ -33,6 +33,17 @@ Html figures_of(const BusStatistics& bus) {
                                                   bus.longest_wait.behind));
   }
   return definitions(rows);
+}
+
+/// What the bus does with its time.
+Html shares(const BusStatistics& bus) {
+  PageTable table{"Shares of the frame time of the bus; they sum to one",
+                  {{"state"}, {"share", true}, {"meaning"}},
+                  {}};
+  for_each_field<BusShares>([&](const auto& field) {
+    table.rows.push_back({field.name, percent(bus.shares.*field.member, 3), field.description});
+  });
+  return table_element(table);
 }
 
 Html masters(const BusStatistics& bus) {
@@ -103,8 +114,8 @@ Html queue(const Statistics& statistics) {
 
 Html bus_section(const RunResults& results) {
   const BusStatistics& bus = results.statistics.bus;
-  return figures_of(bus) + bus_over_time(results) + masters(bus) + wait_matrix(bus) + waits(bus) +
-         queue(results.statistics);
+  return figures_of(bus) + shares(bus) + bus_over_time(results) + masters(bus) + wait_matrix(bus) +
+         waits(bus) + queue(results.statistics);
 }
 
 }  // namespace maquette::sim

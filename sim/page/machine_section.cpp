@@ -66,8 +66,8 @@ std::vector<std::string> bus_lines(const RunResults& results) {
                       machine.bus.data_width_bits, clock(machine.bus.clock_hz),
                       machine.bus.arbitration.name, machine.bus.arbitration_clocks,
                       machine.bus.level.name),
-          fmt::format("{} transfers, {} busy, wait for grant {} in the mean", bus.transfers,
-                      percent(bus.utilisation, 3), readable_duration(bus.wait_mean))};
+          fmt::format("{} transfers, {} occupied, wait for grant {} in the mean", bus.transfers,
+                      percent(bus.occupied, 3), readable_duration(bus.wait_mean))};
 }
 
 /// What stands on the bus besides the boards.

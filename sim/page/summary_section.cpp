@@ -52,8 +52,8 @@ Html summary_section(const RunResults& results) {
        {"Machine", fmt::format("{}: {} {}, bus {}", machine.name, machine.parameters.boards.size(),
                                machine.parameters.boards.size() == 1 ? "board" : "boards",
                                machine.parameters.bus.level.name)},
-       {"Bus", fmt::format("{} transfers, {} busy", results.statistics.bus.transfers,
-                           percent(results.statistics.bus.utilisation, 3))},
+       {"Bus", fmt::format("{} transfers, {} occupied", results.statistics.bus.transfers,
+                           percent(results.statistics.bus.occupied, 3))},
        {"Times from", times_from(results.statistics.costs, machine)}});
   return definitions(rows);
 }

@@ -189,11 +189,34 @@ struct QueueStatistics {
   }
 };
 
+/// What the bus does with the time of the frame; the shares sum to one.
+struct BusShares {
+  double transfer = 0;
+  double arbitration = 0;
+  double handover = 0;
+  double kept = 0;
+  double idle = 1;
+
+  static constexpr auto fields() {
+    using Self = BusShares;
+    return std::make_tuple(
+        field("transfer", "1", "a master has the bus, from grant to release", &Self::transfer),
+        field("arbitration", "1", "free and requested, until the grant", &Self::arbitration),
+        field("handover", "1", "of that time: added since another master had the bus before",
+              &Self::handover),
+        field("kept", "1", "between the accesses of a block, by their master", &Self::kept),
+        field("idle", "1", "nobody has or requests it", &Self::idle));
+  }
+};
+
 struct BusStatistics {
   std::int64_t transfers = 0;
   std::int64_t database_words = 0;
   models::Duration busy{};
   double utilisation = 0;
+  int buses = 1;
+  double occupied = 0;
+  BusShares shares;
   models::Duration wait_mean{};
   models::Duration wait_max{};
   WaitQuantiles wait_quantiles;
@@ -209,7 +232,15 @@ struct BusStatistics {
         field("database_words", "accesses", "of these: reads of a shared database",
               &Self::database_words),
         field("busy_s", "s", "the bus has a master", &Self::busy),
-        field("utilisation", "1", "busy time over frame time, of a backplane", &Self::utilisation),
+        field("utilisation", "1",
+              "busy time over frame time, of a backplane; above 1 where accesses overlap",
+              &Self::utilisation),
+        field("buses", "buses",
+              "that occupied and shares are of: backplanes, or an ideal bus for each board",
+              &Self::buses),
+        field("occupied", "1", "share of the frame time in which the bus is not idle",
+              &Self::occupied),
+        field("shares", "", "", &Self::shares),
         field("wait_mean_s", "s", "from request to grant, mean to the nearest picosecond",
               &Self::wait_mean),
         field("wait_max_s", "s", "from request to grant, longest", &Self::wait_max),

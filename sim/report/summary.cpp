@@ -1,6 +1,7 @@
 #include "sim/report/summary.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -98,11 +99,25 @@ std::string window_around(const LongestWait& wait) {
                      std::max<std::int64_t>(from, 0), to);
 }
 
+/// What the bus does with its time; of several buses, which these are of.
+std::string share_line(const BusStatistics& bus) {
+  std::vector<std::string> shares;
+  for_each_field<BusShares>([&](const auto& field) {
+    const double share = bus.shares.*field.member;
+    if (share > 0) {
+      shares.push_back(fmt::format("{} {:.3f} %", field.name, 100 * share));
+    }
+  });
+  return fmt::format("  time            {}{}\n", fmt::join(shares, ", "),
+                     bus.buses == 1 ? "" : fmt::format(", of {} buses", bus.buses));
+}
+
 std::string bus_lines(const BusStatistics& bus) {
   std::string text = fmt::format(
-      "\nbus             {} transfers, {:.3f} % busy; wait for grant: mean {}, longest {}\n",
-      bus.transfers, 100 * bus.utilisation, readable_duration(bus.wait_mean),
+      "\nbus             {} transfers, {:.3f} % occupied; wait for grant: mean {}, longest {}\n",
+      bus.transfers, 100 * bus.occupied, readable_duration(bus.wait_mean),
       readable_duration(bus.wait_max));
+  text += share_line(bus);
   if (bus.database_words > 0) {
     text += fmt::format("  {} of them read the shared database\n", bus.database_words);
   }

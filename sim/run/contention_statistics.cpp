@@ -102,18 +102,38 @@ double fairness_of(const models::MachineStatistics& model) {
   return squares > 0 ? sum * sum / (boards * squares) : 1;
 }
 
-/// Of all backplanes.
-Duration bus_time_of(const models::MachineStatistics& model) {
+/// The frame time of `buses` together.
+Duration bus_time_of(const models::MachineStatistics& model, int buses) {
   Duration time{};
-  for (int backplane = 0; backplane < model.backplanes; ++backplane) {
+  for (int bus = 0; bus < buses; ++bus) {
     time = models::checked_sum(time, model.frame_time);
   }
   return time;
 }
 
+/// An interrupted bus may be ahead of the kernel: what it has granted is then the whole.
+BusShares shares_of(const models::MachineStatistics& model, std::size_t masters, Duration transfer,
+                    Duration bus_time) {
+  Duration arbitration{};
+  Duration handover{};
+  Duration kept{};
+  for (std::size_t i = 0; i < masters; ++i) {
+    const models::BusMasterStatistics& master = model.bus.masters[i];
+    arbitration = models::checked_sum(arbitration, master.arbitration - master.handover);
+    handover = models::checked_sum(handover, master.handover);
+    kept = models::checked_sum(kept, master.held);
+  }
+  const Duration occupied = models::checked_sum(models::checked_sum(transfer, arbitration),
+                                                models::checked_sum(handover, kept));
+  const Duration whole = std::max(bus_time, occupied);
+  const auto share = [whole](Duration part) { return ratio(part.count(), whole); };
+  return {share(transfer), share(arbitration), share(handover), share(kept),
+          whole.count() > 0 ? share(whole - occupied) : 1};
+}
+
 /// The requests of the host, before the frame, stood alone: they are taken off the queue.
 QueueStatistics queue_statistics(const models::MachineStatistics& model, std::size_t host) {
-  const Duration bus_time = bus_time_of(model);
+  const Duration bus_time = bus_time_of(model, model.backplanes);
   std::vector<Duration> times{bus_time};
   times.insert(times.end(), model.bus.queue_times.begin(), model.bus.queue_times.end());
   for (std::size_t i = host; i < model.bus.masters.size(); ++i) {
@@ -138,7 +158,7 @@ QueueStatistics queue_statistics(const models::MachineStatistics& model, std::si
 
 }  // namespace
 
-BusStatistics contention_statistics(const models::MachineStatistics& model) {
+BusStatistics contention_statistics(const models::MachineStatistics& model, bool accesses_overlap) {
   BusStatistics bus;
   models::Wide waited_ps = 0;
   models::WaitHistogram waits;
@@ -157,7 +177,10 @@ BusStatistics contention_statistics(const models::MachineStatistics& model) {
     bus.wait_mean =
         Duration(static_cast<Duration::rep>((waited_ps + bus.transfers / 2) / bus.transfers));
   }
-  bus.utilisation = ratio(bus.busy.count(), bus_time_of(model));
+  bus.utilisation = ratio(bus.busy.count(), bus_time_of(model, model.backplanes));
+  bus.buses = accesses_overlap ? static_cast<int>(masters.size()) : model.backplanes;
+  bus.shares = shares_of(model, masters.size(), bus.busy, bus_time_of(model, bus.buses));
+  bus.occupied = 1 - bus.shares.idle;
   bus.wait_quantiles = quantiles_of(waits);
   bus.longest_wait = longest_wait(model, masters);
   bus.fairness = fairness_of(model);

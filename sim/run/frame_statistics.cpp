@@ -99,7 +99,7 @@ Statistics frame_statistics(const models::MachineStatistics& model, const Machin
     add_totals(model.boards[i].work, statistics);
   }
   statistics.roots = roots_of(statistics.work);
-  statistics.bus = contention_statistics(model);
+  statistics.bus = contention_statistics(model, !machine.parameters.bus.level.is_exclusive);
   statistics.units = units_statistics(model, statistics.bus.utilisation);
   std::copy(std::begin(preprocessing.counts), std::end(preprocessing.counts),
             statistics.preprocess_work.begin());

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <vector>
 
+#include "models/bus/bus_levels.hpp"
 #include "models/machine/ccett_machine.hpp"
 #include "sim/run/contention_statistics.hpp"
 #include "tests/catch.hpp"
@@ -18,8 +19,8 @@ using maquette::sim::contention_statistics;
 
 // A machine that is busy on its bus, the host's loading included.
 struct BusyMachine {
-  explicit BusyMachine(int boards)
-      : parameters(parameters_of(boards)),
+  explicit BusyMachine(int boards, const BusLevel& level = k_transaction_level)
+      : parameters(parameters_of(boards, level)),
         source(
             PixelAllotment(parameters.allotment, setup().useful_zone, boards),
             [](PixelPosition /*position*/) { return 0U; },
@@ -31,8 +32,9 @@ struct BusyMachine {
     machine.observe_bus([this](const BusAccess& access) { log.push_back(access); });
   }
 
-  static MachineParameters parameters_of(int boards) {
+  static MachineParameters parameters_of(int boards, const BusLevel& level) {
     MachineParameters parameters;
+    parameters.bus.level = level;
     parameters.boards = places(boards);
     parameters.board = plain_board();
     parameters.frame_memory.width = 64;
@@ -125,6 +127,70 @@ TEST_CASE("contention statistics are those of the boards' accesses, recomputed o
   }
 }
 
+double sum_of(const maquette::sim::BusShares& shares) {
+  double sum = 0;
+  maquette::sim::for_each_field<maquette::sim::BusShares>(
+      [&](const auto& field) { sum += shares.*field.member; });
+  return sum;
+}
+
+void check_shares(const BusLevel& level) {
+  constexpr int k_boards = 3;
+  BusyMachine busy(k_boards, level);
+  sc_core::sc_start();
+  const MachineStatistics model = busy.machine.statistics();
+  const auto bus = contention_statistics(model);
+
+  const VersaBusParameters& parameters = busy.parameters.bus;
+  const Period clock = Period::of_frequency(parameters.clock_hz);
+  Duration transfer{};
+  Duration handover{};
+  Duration arbitration{};
+  int previous = k_nobody;
+  for (const BusAccess& access : busy.log) {
+    if (access.master < k_boards) {
+      transfer += access.end - access.grant;
+      const bool hands_over = previous != access.master;
+      handover += hands_over ? clock.times(parameters.handover_clocks) : Duration{};
+      arbitration += clock.times(parameters.arbitration_clocks);
+    }
+    previous = access.master;
+  }
+  const auto share = [&model](Duration part) {
+    return static_cast<double>(part.count()) / static_cast<double>(model.frame_time.count());
+  };
+  CHECK(bus.buses == 1);
+  CHECK(bus.shares.transfer == share(transfer));
+  CHECK(bus.shares.arbitration == share(arbitration));
+  CHECK(bus.shares.handover == share(handover));
+  CHECK(bus.shares.handover > 0);
+  CHECK(bus.shares.kept == 0);
+  CHECK(bus.shares.idle == share(model.frame_time - transfer - arbitration - handover));
+  CHECK(sum_of(bus.shares) == Approx(1).epsilon(1e-12));
+  CHECK(bus.occupied == 1 - bus.shares.idle);
+}
+
+TEST_CASE("what the bus does with its time sums to one, and is that of its accesses") {
+  check_shares(k_transaction_level);
+}
+
+TEST_CASE("the same of a bus line by line") { check_shares(k_signal_level); }
+
+TEST_CASE("the same of a bus whose masters run ahead") { check_shares(k_decoupled_level); }
+
+TEST_CASE("on an ideal bus each board has one to itself, so that no share is above one") {
+  constexpr int k_boards = 40;
+  BusyMachine busy(k_boards, k_ideal_level);
+  sc_core::sc_start();
+  const auto bus = contention_statistics(busy.machine.statistics(), true);
+  CHECK(bus.utilisation > 1);  // accesses overlap
+  CHECK(bus.buses == k_boards);
+  CHECK(bus.shares.transfer == Approx(bus.utilisation / k_boards).epsilon(1e-12));
+  CHECK(bus.shares.arbitration == 0);
+  CHECK(sum_of(bus.shares) == Approx(1).epsilon(1e-12));
+  CHECK(bus.occupied < 1);
+}
+
 TEST_CASE("one board waits for nobody, and its fairness is 1") {
   BusyMachine busy(1);
   sc_core::sc_start();
@@ -152,6 +218,7 @@ TEST_CASE("an interrupted run has contention statistics of the accesses so far")
     }
     REQUIRE(all >= model.frame_time);
     REQUIRE(bus.longest_wait.time >= bus.wait_max);
+    REQUIRE(sum_of(bus.shares) == Approx(1).epsilon(1e-12));
   }
 }
 

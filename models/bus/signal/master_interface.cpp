@@ -74,7 +74,8 @@ BusGrant MasterInterface::win() {
   slot_.wait_for_grant();
   const Instant decision = kernel_now();
   const bool kept = panel_.monitor.decide(master_, decision);
-  const Duration arbitration = panel_.clocks.duration(predecessor_ == Predecessor::another);
+  const bool hands_over = predecessor_ == Predecessor::another;
+  const Duration arbitration = panel_.clocks.duration(hands_over);
   if (arbitration > Duration::zero()) {
     wait(to_sc_time(arbitration));
   }
@@ -82,7 +83,9 @@ BusGrant MasterInterface::win() {
   pull(panel_.lines.busy);
   slot_.want(false);
   let_go(request_line_);
-  return {master_, request_, decision, kernel_now(), kept};
+  return {master_,  request_,
+          decision, kernel_now(),
+          kept,     hands_over ? arbitration - panel_.clocks.duration(false) : Duration{}};
 }
 
 void MasterInterface::release() {

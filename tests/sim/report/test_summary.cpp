@@ -58,6 +58,18 @@ TEST_CASE("the summary says how fast the host was, also where it was slower") {
   CHECK(contains(summarise({}, "", "", 1.0), "no time of the machine passed"));
 }
 
+TEST_CASE("the summary says what the bus does with its time, and of how many buses") {
+  Statistics statistics = example();
+  CHECK(contains(summarise(statistics, "", "", 1.0), "  time            idle 100.000 %\n"));
+  statistics.bus.shares = {0.25, 0.125, 0.0625, 0, 0.5625};
+  statistics.bus.occupied = 0.4375;
+  CHECK(contains(summarise(statistics, "", "", 1.0),
+                 "transfer 25.000 %, arbitration 12.500 %, handover 6.250 %, idle 56.250 %\n"));
+  CHECK(contains(summarise(statistics, "", "", 1.0), "43.750 % occupied"));
+  statistics.bus.buses = 4;
+  CHECK(contains(summarise(statistics, "", "", 1.0), "idle 56.250 %, of 4 buses\n"));
+}
+
 TEST_CASE("the summary shows how to look at the longest wait") {
   Statistics statistics = example();
   CHECK_FALSE(contains(summarise(statistics, "", "", 1.0), "--trace-window"));
