@@ -149,6 +149,9 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options,
   }
   for (const std::string& file : options.trace.files) {
     outputs.push_back({"--trace", place_of_result(file, directory)});
+    if (const std::string view = view_of(file); !view.empty()) {
+      outputs.push_back({"--trace", place_of_result(view, directory)});
+    }
   }
   if (!options.trace.lines.empty()) {
     outputs.push_back({"--trace-lines", place_of_result(options.trace.lines, directory)});

@@ -54,8 +54,9 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
       ->take_all();
   verb.add_option(
           "--trace", options.trace.files,
-          "write what happens on the bus: .json for ui.perfetto.dev, .vcd for GTKWave; a name "
-          "alone is put into the run directory (repeatable)")
+          "write what happens on the bus: .json for ui.perfetto.dev, .vcd for GTKWave with a "
+          "save file beside it, .svg as a chart for a slide; a name alone is put into the run "
+          "directory (repeatable)")
       ->type_name("FILE")
       ->expected(1)
       ->take_all();

@@ -20,6 +20,9 @@ constexpr std::int64_t k_megabyte = 1'000'000;
 TraceFiles::TraceFiles(TraceRequest request) : request_(std::move(request)) {
   for (const std::string& file : request_.files) {
     files_.emplace_back(place_of_result(file, request_.folder));
+    if (const std::string view = view_of(file); !view.empty()) {
+      views_.emplace_back(place_of_result(view, request_.folder));
+    }
   }
   if (!request_.lines.empty()) {
     lines_.emplace(place_of_result(request_.lines, request_.folder).string(), request_.window);
@@ -50,12 +53,21 @@ std::string TraceFiles::remarks(const BusRecord& record, models::Instant frame_e
 
 void TraceFiles::write(const BusRecord& record, models::Instant frame_end) {
   auto file = files_.begin();
+  auto view = views_.begin();
   for (const std::string& name : request_.files) {
-    trace_format(name).write(record, request_.boards, file->stream());
+    const TraceFormat& format = trace_format(name);
+    format.write(record, request_.boards, file->stream());
     ++file;
+    if (format.write_view != nullptr) {
+      format.write_view(record, request_.boards, std::filesystem::path(name).filename().string(),
+                        view->stream());
+      ++view;
+    }
   }
-  for (OutputFile& written : files_) {
-    written.publish();
+  for (std::list<OutputFile>* files : {&files_, &views_}) {
+    for (OutputFile& written : *files) {
+      written.publish();
+    }
   }
   if (lines_) {
     lines_->publish(frame_end);

@@ -31,6 +31,7 @@ class TraceFiles {
  private:
   TraceRequest request_;
   std::list<OutputFile> files_;  // in the order of the request
+  std::list<OutputFile> views_;  // of those that have one, likewise
   std::optional<LineTrace> lines_;
 };
 

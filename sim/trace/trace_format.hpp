@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iosfwd>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct TraceFormat {
                 std::ostream& stream);
   /// About how long that will be.
   std::int64_t (*expected_bytes)(const BusRecord& record);
+  /// Of a file that is written beside the trace for its viewer; empty: there is none.
+  std::string_view view_extension{};
+  /// Writes it; `trace` is the name of the trace.
+  void (*write_view)(const BusRecord& record, const std::vector<std::size_t>& boards,
+                     const std::string& trace, std::ostream& stream) = nullptr;
 };
 
 }  // namespace maquette::sim

@@ -131,6 +131,11 @@ const TraceFormat& trace_format(const std::string& file) {
   return *format;
 }
 
+std::string view_of(const std::string& file) {
+  const std::string_view extension = trace_format(file).view_extension;
+  return extension.empty() ? "" : std::filesystem::path(file).replace_extension(extension).string();
+}
+
 TraceRequest trace_request(const TraceOptions& options, std::size_t board_count) {
   check_companions(options);
   check_files(options);

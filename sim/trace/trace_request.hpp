@@ -32,6 +32,10 @@ struct TraceRequest {
 /// The format that a file's extension names. Throws DescriptionError for another one.
 const TraceFormat& trace_format(const std::string& file);
 
+/// The file that is written beside a trace for its viewer; empty where there is none. Throws as
+/// trace_format.
+std::string view_of(const std::string& file);
+
 /// Checks the texts of a command line: the window is "T0..T1", times with units from the frame's
 /// start, of which each may be left out; the boards are a list of numbers and ranges, e.g.
 /// "0,2..3", and empty for all of them; the lines go to a .vcd. Throws DescriptionError that says

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "sim/trace/board_states.hpp"
+#include "sim/trace/trace_text.hpp"
 #include "sim/trace/vcd_dump.hpp"
 #include "sim/trace/vcd_text.hpp"
 #include "sim/trace/vcd_video.hpp"
@@ -27,6 +28,8 @@ constexpr std::string_view k_comment =
   (grant to release), DTACK falling (the slave's answer), and the end of each access. Derived within
   an access: AS and DS fall together at the grant and rise together with DTACK and WRITE at its end,
   as the access law counts its clocks; skews of single lines are below this level.
+  state of a board: 0 computes, 1 waits for its grant, 2 transfers, 3 is idle; owner: number of the
+  board that has the bus.
 )";
 
 constexpr bool is_count(SignalKind kind) {
@@ -118,8 +121,8 @@ void dump_bus(VcdDump& dump, const BusRecord& record, const RecordedBus& bus) {
 
 void dump_board(VcdDump& dump, const BusRecord& record, std::size_t board) {
   const std::string& scope = record.boards[board].name;
-  const std::uint16_t state = dump.add(scope, "state", SignalKind::vector, k_state_bits);
-  const std::uint16_t request = dump.add(scope, "BR_n", SignalKind::active_low);
+  const std::uint16_t state = dump.add(scope, scope + "_state", SignalKind::vector, k_state_bits);
+  const std::uint16_t request = dump.add(scope, scope + "_BR_n", SignalKind::active_low);
   for (const StateInterval& interval : board_states(record, board)) {
     dump.set(state, interval.from, static_cast<std::uint32_t>(interval.state));
     if (interval.state == BoardState::wait_grant) {
@@ -163,10 +166,7 @@ class VcdTrace {
   VcdText text_;
 };
 
-}  // namespace
-
-void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
-                     std::ostream& stream) {
+VcdDump dump_of(const BusRecord& record, const std::vector<std::size_t>& boards) {
   VcdDump dump;
   for (const RecordedBus& bus : record.buses) {
     dump_bus(dump, record, bus);
@@ -177,6 +177,37 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
   if (record.video) {
     dump_video(*record.video, dump);
   }
+  return dump;
+}
+
+/// The same machine, of which nothing was seen.
+BusRecord without_accesses(const BusRecord& record) {
+  BusRecord empty{record.window, record.boards, {}, std::nullopt};
+  for (const RecordedBus& bus : record.buses) {
+    empty.buses.push_back({bus.name, bus.data_bits, {}, {}});
+  }
+  if (record.video) {
+    empty.video.emplace();
+  }
+  return empty;
+}
+
+/// How GTKWave shows a signal, by the bits of its save files.
+const char* format_of(const DumpedSignal& signal) {
+  constexpr const char* k_hexadecimal = "@22";
+  constexpr const char* k_decimal = "@24";
+  constexpr const char* k_binary = "@28";
+  if (signal.bits == 1) {
+    return k_binary;
+  }
+  return signal.name == "address" || signal.name == "data" ? k_hexadecimal : k_decimal;
+}
+
+}  // namespace
+
+void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
+                     std::ostream& stream) {
+  VcdDump dump = dump_of(record, boards);
   std::stable_sort(dump.changes.begin(), dump.changes.end(),
                    [](const SignalChange& a, const SignalChange& b) { return a.at < b.at; });
 
@@ -195,6 +226,28 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
     trace.text().show_changes(now);
   }
   trace.text().end(record.window.to);
+}
+
+void write_gtkwave_view(const BusRecord& record, const std::vector<std::size_t>& boards,
+                        const std::string& trace, std::ostream& stream) {
+  TraceText text(stream);
+  text.add("[dumpfile] \"{}\"\n[timestart] {}\n", trace, record.window.from.count());
+  std::string scope;
+  const auto close = [&] {
+    if (!scope.empty()) {
+      text.add("@1000200\n-{}\n", scope);
+    }
+  };
+  for (const DumpedSignal& signal : dump_of(without_accesses(record), boards).signals) {
+    if (signal.scope != scope) {
+      close();
+      scope = signal.scope;
+      text.add("@800200\n-{}\n", scope);
+    }
+    text.add("{}\n{}.{}{}\n", format_of(signal), scope, signal.name,
+             signal.bits > 1 ? fmt::format("[{}:0]", signal.bits - 1) : "");
+  }
+  close();
 }
 
 // Measured on whole frames.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <ostream>
+#include <string>
 #include <vector>
 
 #include "sim/trace/bus_record.hpp"
@@ -18,7 +19,7 @@ namespace maquette::sim {
 /// DS_n (from the grant to the end of the access), DTACK_n (from the slave's answer to the end) and
 /// BERR_n (likewise when none came), WRITE_n, address, data and owner, the number of the board that
 /// has the bus; the last four float while nobody has it. A read-modify-write cycle is shown as one
-/// long read. One scope per board of `boards`: state (0
+/// long read. One scope per board of `boards`, whose signals begin with its name: state (0
 /// computes, 1 waits for its grant, 2 transfers, 3 idle) and its own BR_n. One scope of the video
 /// reader where it was looked at (dump_video). What lasts no time is not seen.
 void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
@@ -27,7 +28,13 @@ void write_vcd_trace(const BusRecord& record, const std::vector<std::size_t>& bo
 /// About how long write_vcd_trace's output will be.
 std::int64_t expected_vcd_trace_bytes(const BusRecord& record);
 
+/// Writes a save file of GTKWave that shows all signals of the dump `trace`, in a group for each
+/// scope.
+void write_gtkwave_view(const BusRecord& record, const std::vector<std::size_t>& boards,
+                        const std::string& trace, std::ostream& stream);
+
 /// Value change dumps as a format of trace files.
-inline constexpr TraceFormat k_vcd_trace{".vcd", write_vcd_trace, expected_vcd_trace_bytes};
+inline constexpr TraceFormat k_vcd_trace{".vcd", write_vcd_trace, expected_vcd_trace_bytes, ".gtkw",
+                                         write_gtkwave_view};
 
 }  // namespace maquette::sim

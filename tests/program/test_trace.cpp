@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <numeric>
 #include <random>
+#include <regex>
 
 #include "sim/report/statistics_json.hpp"
 #include "sim/trace/chrome_trace.hpp"
@@ -195,11 +196,15 @@ TEST_CASE("the VCD of a frame has the states that its statistics sum up, and lin
     CHECK(reader.last == traced.statistics.frame.time.count());
     std::int64_t transferred = 0;
     for (const auto& board : traced.statistics.boards) {
-      CHECK(reader.time_with(board.name + ".state", "0") == board.compute.count());
-      CHECK(reader.time_with(board.name + ".state", "1") == board.wait_grant.count());
-      CHECK(reader.time_with(board.name + ".BR_n", "0") == board.wait_grant.count());
-      CHECK(reader.time_with(board.name + ".state", "10") == board.transfer.count());
-      CHECK(reader.time_with(board.name + ".state", "11") == board.idle.count());
+      CHECK(reader.time_with(board.name + "." + board.name + "_state", "0") ==
+            board.compute.count());
+      CHECK(reader.time_with(board.name + "." + board.name + "_state", "1") ==
+            board.wait_grant.count());
+      CHECK(reader.time_with(board.name + "." + board.name + "_BR_n", "0") ==
+            board.wait_grant.count());
+      CHECK(reader.time_with(board.name + "." + board.name + "_state", "10") ==
+            board.transfer.count());
+      CHECK(reader.time_with(board.name + "." + board.name + "_state", "11") == board.idle.count());
       transferred += board.transfer.count();
     }
     CHECK(reader.time_with("versabus.AS_n", "0") == transferred);
@@ -211,7 +216,7 @@ TEST_CASE("the VCD of a frame has the states that its statistics sum up, and lin
     // Of the lines, at each instant of a change: who transfers is the owner, on a bus that is busy.
     for (std::size_t i = 0; i < traced.statistics.boards.size(); ++i) {
       const std::string name = traced.statistics.boards[i].name;
-      const auto& states = reader.signals.at(name + ".state");
+      const auto& states = reader.signals.at(name + "." + name + "_state");
       for (std::size_t change = 0; change < states.size(); change += 1 + states.size() / 200) {
         const auto& [instant, state] = states[change];
         if (state == "10") {
@@ -334,6 +339,61 @@ TEST_CASE("the VCD is read by GTKWave's converter, where it is installed") {
   CHECK(std::filesystem::file_size(fst) > 1000);
 }
 
+TEST_CASE("the save file beside a VCD names all of its signals, each in the group of its scope") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const Outcome outcome = run_maquette("run " + scene + k_small_frame + "--quiet --outdir " +
+                                       (scratch / "run").string() + " --trace bus.vcd");
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const std::string view = content_of(scratch / "run" / "bus.gtkw");
+  CHECK(view.find("[dumpfile] \"bus.vcd\"\n") == 0);
+  CHECK(view.find("-board3\n@24\nboard3.board3_state[1:0]\n@28\nboard3.board3_BR_n\n") !=
+        std::string::npos);
+  for (const auto& [name, values] : VcdReader(content_of(scratch / "run" / "bus.vcd")).signals) {
+    INFO(name);
+    CHECK((view.find("\n" + name + "\n") != std::string::npos ||
+           view.find("\n" + name + "[") != std::string::npos));
+  }
+  CHECK(content_of(scratch / "run" / "manifest.json").find("\"bus.gtkw\"") != std::string::npos);
+}
+
+TEST_CASE("a chart of a window shows each board's states by their widths, and who has the bus") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const Outcome outcome =
+      run_maquette("run " + scene + k_small_frame + "--quiet --outdir " +
+                   (scratch / "run").string() + " --trace bus.svg " + k_machines[1]);
+  INFO(outcome.errors);
+  REQUIRE(outcome.exit_code == 0);
+  const Statistics statistics =
+      parse_statistics(content_of(scratch / "run" / "stats.json"), "stats.json");
+  const std::string chart = content_of(scratch / "run" / "bus.svg");
+  const auto area = [&chart](const std::string& kind) {
+    const std::regex box("<rect class=\"" + kind +
+                         "\"[^>]* width=\"([0-9.]+)\" height=\"([0-9.]+)\"");
+    double sum = -18 * 18;  // of the legend
+    for (std::sregex_iterator found(chart.begin(), chart.end(), box), end; found != end; ++found) {
+      sum += std::stod((*found)[1]) * std::stod((*found)[2]);
+    }
+    return sum;
+  };
+  double compute = 0;
+  double idle = 0;
+  for (const auto& board : statistics.boards) {
+    compute += static_cast<double>(board.compute.count());
+    idle += static_cast<double>(board.idle.count());
+  }
+  CHECK(area("idle") / area("compute") == Approx(idle / compute).epsilon(0.02));
+  CHECK(area("wait") > 0);
+  CHECK(area("even") > 0);
+  CHECK(area("odd") > 0);
+  for (const char* text : {">board0<", ">board4<", ">versabus<", ">queue<", "waits for the bus"}) {
+    INFO(text);
+    CHECK(chart.find(text) != std::string::npos);
+  }
+}
+
 TEST_CASE("a trace that cannot be is refused before anything runs") {
   const ScratchDirectory scratch;
   const std::string scene = scratch.file("small.yaml", k_small_scene);
@@ -342,7 +402,7 @@ TEST_CASE("a trace that cannot be is refused before anything runs") {
     std::string options;
     std::string expected;
   } cases[] = {
-      {"--trace t.txt", "allowed: .json, .vcd"},
+      {"--trace t.txt", "allowed: .json, .vcd, .svg"},
       {"--trace " + file + " --trace " + file, "given twice"},
       {"--trace " + (scratch / "none" / "t.json").string(), "cannot be written"},
       {"--trace " + file + " --trace-window 2s..1s", "empty window"},
