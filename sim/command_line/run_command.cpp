@@ -19,6 +19,7 @@
 #include "sim/command_line/frame_choice.hpp"
 #include "sim/command_line/ram_dump.hpp"
 #include "sim/command_line/run_options.hpp"
+#include "sim/command_line/warnings.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/fields/time_text.hpp"
 #include "sim/maps/map_files.hpp"
@@ -220,6 +221,8 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   check_facts(request);
   const FilmRequest film = film_request(options.film);
   request.film = film.is_wanted();
+  Warnings warnings(description);
+  request.warn = [&warnings](const SceneWarning& warning) { warnings.tell(warning); };
   request.dumped_boards =
       checked_boards(options.dumped_boards, request.executed, description.machine);
   check_fit(description.scene, description.machine);
@@ -259,20 +262,24 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
     files.push_back(std::move(file));
   }
   add_ram_files(request.dumped_boards, result, files);
+  const auto manifest = [&] {
+    Manifest made = manifest_of(command, description.input_files, host_time_s());
+    made.warnings = warnings.told();
+    return made;
+  };
   const models::Instant frame_end = result.statistics.frame.time;
   remark(trace_files.remarks(result.trace, frame_end));
   trace_files.write(result.trace, frame_end);
   if (options.report) {
-    const std::string manifest =
-        manifest_json(manifest_of(command, description.input_files, host_time_s()));
-    files.push_back({k_page_name,
-                     run_page(shown_files(directory.string(), files, manifest), data_directory())});
+    files.push_back(
+        {k_page_name, run_page(shown_files(directory.string(), files, manifest_json(manifest())),
+                               data_directory())});
   }
   if (result.film) {
     write_film(film, results.workplace(), *result.film);
   }
   write_files(results.workplace(), files);
-  results.publish(manifest_of(command, description.input_files, host_time_s()));
+  results.publish(manifest());
   if (!options.quiet) {
     fmt::print("{}\n{}\n",
                summarise(result.statistics, result.times_from, paper_time_of(description.scene),

@@ -41,6 +41,9 @@ std::string manifest_json(const Manifest& manifest) {
             {"host_time_s", manifest.host_time_s},
             {"processor_time_s", manifest.processor_time_s},
             {"peak_memory_bytes", manifest.peak_memory_bytes}};
+  if (!manifest.warnings.empty()) {
+    json["warnings"] = manifest.warnings;
+  }
   if (manifest.study) {
     json["jobs"] = manifest.study->jobs;
     json["points"] = manifest.study->points;

@@ -28,9 +28,10 @@ struct Manifest {
   std::string version;
   std::string revision;  ///< of the sources
   std::vector<InputDigest> inputs;
-  std::vector<std::string> files;  ///< of the results, relative to the manifest
-  double host_time_s = 0;          ///< wall clock
-  double processor_time_s = 0;     ///< of all threads and child processes, user and system
+  std::vector<std::string> warnings;  ///< that the command was answered with
+  std::vector<std::string> files;     ///< of the results, relative to the manifest
+  double host_time_s = 0;             ///< wall clock
+  double processor_time_s = 0;        ///< of all threads and child processes, user and system
   std::int64_t peak_memory_bytes = 0;
   std::int64_t peak_child_memory_bytes = 0;  ///< of the largest child process
   std::optional<StudyCost> study;

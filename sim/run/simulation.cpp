@@ -287,6 +287,17 @@ void check_units(const Machine& machine, const SimulationRequest& request) {
   }
 }
 
+void warn_of_picture(const Scene& scene, const Machine& machine, const SimulationRequest& request,
+                     std::uint32_t background, const SimulationResult& result) {
+  if (!request.warn || !request.picture || result.statistics.partial) {
+    return;
+  }
+  if (const std::optional<SceneWarning> warning =
+          picture_warning(scene, picture_format_of(machine), background, result.picture)) {
+    request.warn(*warning);
+  }
+}
+
 SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
                                   const SimulationRequest& request, const Continue& go_on) {
   check_extents(scene, request);
@@ -297,7 +308,7 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   const std::optional<Calibration> calibration = calibration_of(scene, roomy, request);
   Machine priced = calibration ? with_costs(roomy, *calibration) : roomy;
   const FramePixels pixels = frame_pixels(scene, priced, request.record, request.executed,
-                                          request.threads, legs_wanted(machine));
+                                          request.threads, legs_wanted(machine), request.warn);
   models::FrameSetup setup;
   setup.legs = pixels.legs;
   setup.useful_zone = pixels.zone;
@@ -324,6 +335,7 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   result.statistics.costs = cost_statistics(priced, request.executed, calibration);
   result.times_from =
       calibration ? times_from(*calibration) : times_from(machine, request.executed);
+  warn_of_picture(scene, machine, request, setup.background, result);
   if (!request.dumped_boards.empty()) {
     result.symbols = symbol_map(packed, machine);
   }

@@ -14,6 +14,7 @@
 #include "sim/report/summary.hpp"
 #include "sim/run/calibration.hpp"
 #include "sim/run/frame_film.hpp"
+#include "sim/run/scene_warnings.hpp"
 #include "sim/scene/scene.hpp"
 #include "sim/trace/bus_record.hpp"
 #include "sim/trace/line_trace.hpp"
@@ -36,6 +37,7 @@ struct SimulationRequest {
   bool film = false;                              ///< whether the result tells how it was filled
   LineTrace* lines = nullptr;                     ///< shows the backplanes' lines, if given
   std::optional<TraceWindow> video;               ///< in which the video reader is looked at
+  Warn warn;                                      ///< is told what may not have been meant
 };
 
 /// Called now and then with the simulated time and the share of pixels done; false ends the run.

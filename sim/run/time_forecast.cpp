@@ -63,9 +63,8 @@ std::pair<double, std::string> busiest(std::vector<double> seconds, bool is_clai
 
 }  // namespace
 
-bool may_take_long(const Machine& machine, const models::PixelRectangle& zone,
-                   const firmware::Work& preprocessing, const WorkAt& work) {
-  constexpr double k_share = 0.25;
+double likely_computing_s(const Machine& machine, const models::PixelRectangle& zone,
+                          const firmware::Work& preprocessing, const WorkAt& work) {
   const ComputingTime time(machine.parameters.board);
   const auto boards = static_cast<int>(machine.parameters.boards.size());
   const models::PixelAllotment allotment(machine.parameters.allotment, zone, boards);
@@ -77,7 +76,12 @@ bool may_take_long(const Machine& machine, const models::PixelRectangle& zone,
   const double per_board = count == 0 ? 0
                                       : sum / static_cast<double>(count) *
                                             static_cast<double>(allotment.pixels()) / boards;
-  return time(preprocessing) + per_board > k_share * in_seconds(models::k_longest_run);
+  return time(preprocessing) + per_board;
+}
+
+bool may_take_long(double likely_s) {
+  constexpr double k_share = 0.25;
+  return likely_s > k_share * in_seconds(models::k_longest_run);
 }
 
 void require_computing_time(const Machine& machine, const RecordedFrame& frame) {

@@ -12,10 +12,14 @@ namespace maquette::sim {
 /// The work of the pixel at a position.
 using WorkAt = std::function<firmware::Work(const models::PixelPosition& position)>;
 
-/// Whether boards may compute for a quarter of the longest simulated time or more, as some pixels
-/// that are spread over the zone tell; then the whole frame is worth a look before it is simulated.
-[[nodiscard]] bool may_take_long(const Machine& machine, const models::PixelRectangle& zone,
-                                 const firmware::Work& preprocessing, const WorkAt& work);
+/// How long a board is likely to compute, in seconds, as some pixels that are spread over the zone
+/// tell.
+[[nodiscard]] double likely_computing_s(const Machine& machine, const models::PixelRectangle& zone,
+                                        const firmware::Work& preprocessing, const WorkAt& work);
+
+/// Whether that is a quarter of the longest simulated time or more; then the whole frame is worth a
+/// look before it is simulated.
+[[nodiscard]] bool may_take_long(double likely_s);
 
 /// Throws DescriptionError when a board would compute on this frame for more than the longest
 /// simulated time, which says the board and how long.

@@ -25,6 +25,9 @@ int run_frame(const Description& description, std::size_t frame, SimulationReque
   if (frame > 0) {
     request.held = &description.frames[frame - 1];
   }
+  request.warn = [frame](const SceneWarning& warning) {
+    remark(fmt::format("frame {}: warning: {}\n", frame, warning.text));
+  };
   const SimulationResult result =
       simulate(description.frames[frame], description.machine, request,
                [](models::Duration, double) { return !Interruption::is_requested(); });

@@ -55,14 +55,14 @@ TEST_CASE("a sample tells frames that may take long from those that do not") {
   const Description fast = described({});
   const RecordedFrame frame = record_frame(slow.scene, picture_format_of(slow.machine), 1);
   const auto may = [&frame](const Machine& machine, std::uint32_t factor) {
-    return may_take_long(machine, frame.useful_zone, frame.preprocessing,
-                         [&](const models::PixelPosition& position) {
-                           firmware::Work work = frame.at(position).work;
-                           for (std::uint32_t& count : work.counts) {
-                             count *= factor;
-                           }
-                           return work;
-                         });
+    return may_take_long(likely_computing_s(machine, frame.useful_zone, frame.preprocessing,
+                                            [&](const models::PixelPosition& position) {
+                                              firmware::Work work = frame.at(position).work;
+                                              for (std::uint32_t& count : work.counts) {
+                                                count *= factor;
+                                              }
+                                              return work;
+                                            }));
   };
   CHECK_FALSE(may(fast.machine, 1));
   CHECK_FALSE(may(slow.machine, 1));
