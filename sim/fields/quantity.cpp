@@ -24,10 +24,28 @@ bool is_named(const WholeUnit& unit, std::string_view name) {
   return unit.name == name || (!unit.singular.empty() && unit.singular == name);
 }
 
+constexpr std::string_view k_range = "..";
+
+/// What a text such as `1-8`, of which `-8` follows the number, means as a range: `1..8`. Empty
+/// where it is none.
+std::string meant_range(std::string_view text, std::string_view rest) {
+  if (text.find(k_range) != std::string_view::npos) {
+    return std::string{text};
+  }
+  const bool is_range = rest.size() > 1 && rest[0] == '-' && rest[1] >= '0' && rest[1] <= '9';
+  return is_range ? std::string{text.substr(0, text.size() - rest.size())} + std::string{k_range} +
+                        std::string{rest.substr(1)}
+                  : "";
+}
+
 template <class Unit>
 [[noreturn]] void fail_on_unit(std::string_view text, std::string_view name,
                                const std::vector<Unit>& units) {
   const std::string quoted = "`" + std::string{text} + "`";
+  if (const std::string range = meant_range(text, name); !range.empty()) {
+    throw std::invalid_argument(quoted + " is a range; one value is allowed here, several with " +
+                                "--vary of `maquette sweep`: `" + range + "`");
+  }
   if (units.size() == 1 && units.front().name.empty()) {
     throw std::invalid_argument(quoted + " has a unit; a plain number is allowed here");
   }

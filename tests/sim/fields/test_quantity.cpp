@@ -65,6 +65,17 @@ TEST_CASE("wrong and missing units name the allowed ones") {
   CHECK(error_of("3 e", RealDimension::angle) == "`3 e` has the unit `e`; allowed: deg");
 }
 
+TEST_CASE("a range where one value is allowed is told as one") {
+  const std::string sweep =
+      " is a range; one value is allowed here, several with --vary of "
+      "`maquette sweep`: ";
+  CHECK(error_of("1-8", WholeDimension::count) == "`1-8`" + sweep + "`1..8`");
+  CHECK(error_of("1..8", WholeDimension::count) == "`1..8`" + sweep + "`1..8`");
+  CHECK(error_of("1-8 MHz", RealDimension::frequency) == "`1-8 MHz`" + sweep + "`1..8 MHz`");
+  CHECK(error_of("8 -", WholeDimension::count) ==
+        "`8 -` has a unit; a plain number is allowed here");
+}
+
 TEST_CASE("what is no number, not whole or too large is refused") {
   for (const char* text :
        {"", " ", "nan", "inf", "-inf", "0x10", "e5", ".", "-", "--1", "1,5", "abc"}) {
