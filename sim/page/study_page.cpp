@@ -66,8 +66,7 @@ Html pictures_in(const fs::path& folder) {
   return pictures;
 }
 
-std::vector<Section> with_pictures(std::vector<Section> sections, const fs::path& folder) {
-  const Html pictures = pictures_in(folder);
+std::vector<Section> with_pictures(std::vector<Section> sections, const Html& pictures) {
   if (!pictures.markup.empty()) {
     sections.push_back({"plots", "Plots", pictures});
   }
@@ -101,7 +100,7 @@ std::string sweep_page(const fs::path& directory) {
   return page(name_of(directory) + ": a sweep",
               with_pictures({{"points", "Points",
                               csv_element("Points of the sweep", directory / "table.csv")}},
-                            directory / "plots"));
+                            pictures_in(directory / "plots")));
 }
 
 std::string accuracy_page(const fs::path& directory) {
@@ -111,7 +110,7 @@ std::string accuracy_page(const fs::path& directory) {
           {{"errors", "Errors", csv_element("Errors of every level", directory / "accuracy.csv")},
            {"times", "Times of the host",
             csv_element("What every level costs the host", directory / "host_times.csv")}},
-          directory));
+          pictures_in(directory) + pictures_in(directory / "plots")));
 }
 
 std::string stability_page(const fs::path& directory) {

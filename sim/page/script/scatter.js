@@ -10,6 +10,15 @@ export function plottableColumns(headings, rows) {
   });
 }
 
+// The columns that are shown first: over the first one behind the number of a row the frame time,
+// or an error.
+export function firstAxes(headings, columns) {
+  const x = columns.find((column) => column > 0) ?? columns[0];
+  const others = columns.filter((column) => column !== x);
+  const named = (pattern) => others.find((column) => pattern.test(headings[column]));
+  return [x, named(/^frame\.time_s/) ?? named(/error/) ?? others[0]];
+}
+
 // The chart of one column over another; each mark is called by the first cells of its row.
 export function scatterOf(headings, rows, x, y, isLogarithmic) {
   const points = rows
@@ -37,8 +46,7 @@ function addScatter(table, document, window) {
   const shownRows = () => [...table.tBodies[0].rows].filter((row) => !row.hidden).map(textsOf);
   const columns = plottableColumns(headings, shownRows());
   if (columns.length < 2) return;
-  const startX = columns.find((column) => column > 0) ?? columns[0];
-  const startY = columns.find((column) => /time_s/.test(headings[column])) ?? columns[1];
+  const [startX, startY] = firstAxes(headings, columns);
   const [xLabel, x] = choiceOf("Across", headings, columns, startX, document);
   const [yLabel, y] = choiceOf("Up", headings, columns, startY, document);
   const logLabel = document.createElement("label");
