@@ -17,6 +17,7 @@
 #include "sim/accuracy/level_run.hpp"
 #include "sim/accuracy/tile_map.hpp"
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/table_output.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/plot/gnuplot.hpp"
 #include "sim/report/progress.hpp"
@@ -38,6 +39,7 @@ struct AccuracyOptions {
   int repeats = 3;
   int sample = 1;
   bool quiet = false;
+  TableFormat format = TableFormat::text;
 };
 
 void add_options(CLI::App& verb, AccuracyOptions& options) {
@@ -64,6 +66,7 @@ void add_options(CLI::App& verb, AccuracyOptions& options) {
       ->check(CLI::Range(1, 10'000))
       ->capture_default_str();
   verb.add_flag("--quiet", options.quiet, "neither progress nor table");
+  add_format_option(verb, options.format);
   add_footer(
       verb,
       "accuracy.csv and accuracy.json hold what the input determines. Processor times of the host, "
@@ -194,7 +197,13 @@ int accuracy(const AccuracyOptions& options, const std::vector<std::string>& com
     std::rethrow_exception(failure);
   }
   if (!options.quiet) {
-    fmt::print("{}written: {}\n", accuracy_report(results), directory.string());
+    fmt::print("{}", in_format(
+                         options.format,
+                         [&] {
+                           return fmt::format("{}written: {}\n", accuracy_report(results),
+                                              directory.string());
+                         },
+                         [&] { return error_table(results); }));
   }
   return 0;
 }

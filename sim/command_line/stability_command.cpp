@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/table_output.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/result_directory.hpp"
 #include "sim/stability/stability_checks.hpp"
@@ -22,6 +23,7 @@ struct StabilityOptions {
   std::string scenes = data_directory() + "/scenes";
   std::string outdir = "runs/stability";
   bool quiet = false;
+  TableFormat format = TableFormat::text;
 };
 
 void add_options(CLI::App& verb, StabilityOptions& options) {
@@ -38,6 +40,7 @@ void add_options(CLI::App& verb, StabilityOptions& options) {
       ->type_name("DIR")
       ->capture_default_str();
   verb.add_flag("--quiet", options.quiet, "neither progress nor table");
+  add_format_option(verb, options.format);
 }
 
 bool is_wanted(const std::vector<std::string>& wanted, const std::string& name) {
@@ -86,6 +89,21 @@ std::vector<StabilityMeasurement> measure(const std::vector<Plan>& plans, bool q
   return measurements;
 }
 
+Table row_table(const std::vector<StabilityMeasurement>& measurements) {
+  Table table;
+  for (const char* name : {"scalar", "group", "subject", "counted", "value", "bound", "holds"}) {
+    table.columns.push_back({name, "", ""});
+  }
+  for (const StabilityMeasurement& measurement : measurements) {
+    for (const StabilityRow& row : measurement.rows) {
+      table.rows.push_back(
+          {measurement.scalar, row.group, row.subject, row.counted, fmt::format("{}", row.value),
+           row.bound ? fmt::format("{}", *row.bound) : "", row.holds() ? "yes" : "no"});
+    }
+  }
+  return table;
+}
+
 int stability(const StabilityOptions& options, const std::vector<std::string>& command) {
   const auto start = std::chrono::steady_clock::now();
   const std::string exact_roots_file = data_directory() + "/stability/exact_roots.txt";
@@ -104,9 +122,16 @@ int stability(const StabilityOptions& options, const std::vector<std::string>& c
   results.publish(manifest_of(command, input_files, host_time.count()));
   const int broken = broken_bounds(measurements);
   if (!options.quiet) {
-    fmt::print("{}\n{}\nwritten: {}\n", stability_table(measurements),
-               broken == 0 ? "every bound holds" : fmt::format("{} bounds are broken (!)", broken),
-               options.outdir);
+    fmt::print("{}", in_format(
+                         options.format,
+                         [&] {
+                           return fmt::format(
+                               "{}\n{}\nwritten: {}\n", stability_table(measurements),
+                               broken == 0 ? "every bound holds"
+                                           : fmt::format("{} bounds are broken (!)", broken),
+                               options.outdir);
+                         },
+                         [&] { return row_table(measurements); }));
   }
   return broken == 0 ? 0 : 1;
 }

@@ -12,12 +12,14 @@
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/plot_options.hpp"
+#include "sim/command_line/table_output.hpp"
 #include "sim/report/progress.hpp"
 #include "sim/report/remark.hpp"
 #include "sim/report/run_directory.hpp"
 #include "sim/run/interruption.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 #include "sim/sweep/point_selection.hpp"
+#include "sim/sweep/study_defaults.hpp"
 #include "sim/sweep/study_description.hpp"
 #include "sim/sweep/study_results.hpp"
 #include "sim/sweep/study_run.hpp"
@@ -28,9 +30,6 @@
 namespace maquette::sim {
 
 namespace {
-
-constexpr const char* k_processors = "processors";
-constexpr const char* k_frame_time = "frame.time_s";
 
 struct SweepOptions {
   CommonOptions common;
@@ -47,6 +46,7 @@ struct SweepOptions {
   std::optional<int> tasks;
   bool from_environment = false;
   bool quiet = false;
+  TableFormat format = TableFormat::text;
 };
 
 void add_study_options(CLI::App& verb, SweepOptions& options) {
@@ -89,6 +89,7 @@ void add_selection_options(CLI::App& verb, SweepOptions& options) {
   task->needs(tasks)->excludes(environment);
   tasks->needs(task);
   verb.add_flag("--quiet", options.quiet, "neither progress nor summary");
+  add_format_option(verb, options.format);
 }
 
 /// A name on the command line as a node; relative names are relative to where the program runs.
@@ -146,33 +147,6 @@ Study study_of(const SweepOptions& options) {
   return study;
 }
 
-/// What a study without them gets: a name, and speed-up and efficiency over the boards.
-void complete(Study& study) {
-  if (study.name.empty()) {
-    const YamlNode* name = study.scene.find("name");
-    study.name = (name == nullptr ? "study" : name->text) + "-sweep";
-  }
-  const bool varies_boards =
-      std::any_of(study.axes.begin(), study.axes.end(),
-                  [](const Axis& axis) { return axis.path == k_processors; });
-  if (varies_boards && study.columns.empty() && plain_point(study.design) < 0) {
-    study.columns = {{"speed_up",
-                      "",
-                      "against the first number of boards",
-                      Derivation::speed_up,
-                      k_frame_time,
-                      k_processors,
-                      {}},
-                     {"efficiency",
-                      "",
-                      "speed-up over the ratio of the numbers of boards",
-                      Derivation::efficiency,
-                      k_frame_time,
-                      k_processors,
-                      {}}};
-  }
-}
-
 std::vector<int> selected_points(const SweepOptions& options, int count) {
   if (!options.point.empty()) {
     return parse_points(options.point, "--point", count);
@@ -211,10 +185,17 @@ int exit_code_of(const StudyOutcome& outcome) {
 }
 
 /// Gathers everything and says so.
-int gather_and_report(const StudyPoints& points, const StudyDirectory& directory, bool quiet) {
+int gather_and_report(const StudyPoints& points, const StudyDirectory& directory, bool quiet,
+                      TableFormat format) {
   const StudyOutcome outcome = gather(points, directory);
   if (!quiet) {
-    fmt::print("{}\nwritten: {}\n", outcome_report(outcome), directory.path().string());
+    fmt::print("{}", in_format(
+                         format,
+                         [&] {
+                           return fmt::format("{}\nwritten: {}\n", outcome_report(outcome),
+                                              directory.path().string());
+                         },
+                         [&] { return outcome.table; }));
   }
   return exit_code_of(outcome);
 }
@@ -252,7 +233,7 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   if (!selects_all(options)) {
     return progress.failed > 0 ? 1 : 0;
   }
-  const int exit_code = gather_and_report(points, directory, options.quiet);
+  const int exit_code = gather_and_report(points, directory, options.quiet, options.format);
   const std::chrono::duration<double> host_time = std::chrono::steady_clock::now() - start;
   Manifest manifest = manifest_of(command, input_files, host_time.count());
   manifest.study = {jobs, progress.done};
@@ -260,7 +241,7 @@ int sweep(const SweepOptions& options, const std::vector<std::string>& command) 
   return exit_code;
 }
 
-int merge(const std::string& path, const PlotOptions& plots, bool quiet) {
+int merge(const std::string& path, const PlotOptions& plots, bool quiet, TableFormat format) {
   Study study = read_study((std::filesystem::path(path) / k_study_file).string());
   for (Plot& plot : plots_of(plots)) {
     study.plots.push_back(std::move(plot));
@@ -270,7 +251,7 @@ int merge(const std::string& path, const PlotOptions& plots, bool quiet) {
   const StudyPoints points(std::move(study), data_directory());
   check_columns(points);
   const StudyDirectory directory(points, path);
-  return gather_and_report(points, directory, quiet);
+  return gather_and_report(points, directory, quiet, format);
 }
 
 }  // namespace
@@ -294,6 +275,7 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
     std::string directory;
     PlotOptions plots;
     bool quiet = false;
+    TableFormat format = TableFormat::text;
   };
   const auto merging = std::make_shared<MergeOptions>();
   CLI::App& merge_verb =
@@ -301,9 +283,10 @@ void add_sweep_commands(CLI::App& program, const std::vector<std::string>& comma
   merge_verb.add_option("DIR", merging->directory, "study directory")->required()->type_name("DIR");
   add_plot_options(merge_verb, merging->plots);
   merge_verb.add_flag("--quiet", merging->quiet, "no summary");
+  add_format_option(merge_verb, merging->format);
   add_footer(merge_verb, {}, {"maquette merge runs/boards"});
   merge_verb.callback([merging, &exit_code] {
-    exit_code = merge(merging->directory, merging->plots, merging->quiet);
+    exit_code = merge(merging->directory, merging->plots, merging->quiet, merging->format);
   });
 }
 

@@ -33,9 +33,9 @@ StudyOutcome gather(const StudyPoints& points, const StudyDirectory& directory) 
     int& count = !result ? outcome.missing : result->statistics ? outcome.done : outcome.failed;
     ++count;
   }
-  const Table table = study_table(points, results);
-  write_files(directory.path(), {{"table.csv", table_csv(table)}});
-  draw_plots(points, table, directory.path() / "plots");
+  outcome.table = study_table(points, results);
+  write_files(directory.path(), {{"table.csv", table_csv(outcome.table)}});
+  draw_plots(points, outcome.table, directory.path() / "plots");
   return outcome;
 }
 

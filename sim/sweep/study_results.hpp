@@ -10,6 +10,7 @@ struct StudyOutcome {
   int done = 0;
   int failed = 0;
   int missing = 0;
+  Table table;  ///< of all points
 };
 
 /// Gathers what is stored of every point into table.csv and the plots, the same bytes however the
