@@ -1,3 +1,4 @@
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
@@ -105,7 +106,8 @@ TEST_CASE("A record that was made for a machine with units replays on all, other
 
 TEST_CASE("Traces have a track for each unit") {
   const ScratchDirectory scratch;
-  require_good(run_into(scratch / "traced", std::string(k_machines[0]) + " --trace bus.json"));
+  require_good(run_into(scratch / "traced", std::string(k_machines[0]) +
+                                                " --trace bus.json --trace-window '0 s..2 s'"));
   const std::string trace = content_of(scratch / "traced" / "bus.json");
   for (const char* unit : {"board3", "intersection0", "intersection3"}) {
     CHECK_THAT(trace, ContainsSubstring(unit));
@@ -129,4 +131,20 @@ TEST_CASE("A scene that does not fit a unit says so") {
   CHECK(refused.exit_code == 2);
   CHECK_THAT(refused.errors, ContainsSubstring("photo4.yaml:") &&
                                  ContainsSubstring("raise units.intersection.ram"));
+}
+
+TEST_CASE("Pixels in flight that could fill two kinds of units are refused with their place") {
+  const ScratchDirectory scratch;
+  const std::filesystem::path machine = scratch / "machine.yaml";
+  const auto in_flight = [&](int pixels) {
+    std::ofstream(machine)
+        << "name: two\nprocessors: 1\nboard: {ram: 512 KiB}\nunits:\n  in_flight: " << pixels
+        << "\n  extents: {queue: 2}\n  photometry: {queue: 3}\n";
+    return run_into(scratch / "run", "--machine " + machine.string());
+  };
+  require_good(in_flight(6));
+  const Outcome refused = in_flight(7);
+  CHECK(refused.exit_code == 2);
+  CHECK_THAT(refused.errors, ContainsSubstring("machine.yaml:5:") &&
+                                 ContainsSubstring("up to 6 or a longer queue"));
 }
