@@ -14,7 +14,6 @@ namespace {
 using models::Duration;
 using models::Instant;
 
-constexpr double k_width = 1280;
 constexpr double k_height = 720;
 constexpr double k_left = 110;
 constexpr double k_right = 1250;

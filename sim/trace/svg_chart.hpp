@@ -33,11 +33,11 @@ class SvgChart {
 
   /// A track of stays in order, which do not overlap. Where there are more of them than columns of
   /// the picture, each column shows the states by their shares of its time, one upon the other.
-  void track(const ChartBand& band, const std::string& name, const std::vector<ChartStay>& stays);
+  void track(const ChartBand& band, const std::string& text, const std::vector<ChartStay>& stays);
 
   /// A value over time, as steps: instants in order, with the value from there on. Of more than
   /// the picture has columns, each column shows the largest.
-  void steps(const ChartBand& band, const std::string& name,
+  void steps(const ChartBand& band, const std::string& text,
              const std::vector<std::pair<models::Instant, int>>& values);
 
   /// A text in the middle of a stay, where there is room for it.
