@@ -189,6 +189,15 @@ void check_facts(const SimulationRequest& request) {
   }
 }
 
+/// Boards, and units of functions behind them.
+std::size_t bus_masters(const models::MachineParameters& parameters) {
+  std::size_t masters = parameters.boards.size();
+  for (const models::FunctionUnitParameters& kind : parameters.units.kinds) {
+    masters += static_cast<std::size_t>(kind.number);
+  }
+  return masters;
+}
+
 int run(const RunOptions& options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
@@ -205,7 +214,7 @@ int run(const RunOptions& options, const std::vector<std::string>& command) {
   request.threads = options.threads > 0 ? options.threads : processors;
   request.snapshots = instants_of(options.snapshots, "--snapshot");
   request.shown_snapshots = instants_of(options.shown_snapshots, "--snapshot-shown");
-  TraceRequest trace = trace_request(options.trace, description.machine.parameters.boards.size());
+  TraceRequest trace = trace_request(options.trace, bus_masters(description.machine.parameters));
   if (!trace.files.empty()) {
     request.trace = trace.window;
   }

@@ -70,8 +70,10 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
   verb.add_option("--trace-window", options.trace.window,
                   "trace only this part of the frame, e.g. \"1 s..1.01 s\"; either may be left out")
       ->type_name("T0..T1");
-  verb.add_option("--trace-boards", options.trace.boards,
-                  "give only these boards tracks of their own, e.g. 0,2..3")
+  verb.add_option(
+          "--trace-boards", options.trace.boards,
+          "give only these boards, behind which units are numbered on, tracks of their own, e.g. "
+          "0,2..3")
       ->type_name("LIST");
   verb.add_flag("--report", options.report,
                 "write report.html, a page for a browser that shows all results");

@@ -83,7 +83,7 @@ std::vector<std::pair<Instant, int>> queue_of(const BusRecord& record, const Rec
 }
 
 std::string title_of(const BusRecord& record) {
-  return fmt::format("{} boards on the bus for {}, from {} s of the frame on", record.boards.size(),
+  return fmt::format("{} bus masters for {}, from {} s of the frame on", record.boards.size(),
                      readable_duration(record.window.to - record.window.from),
                      format_seconds(record.window.from));
 }
@@ -120,7 +120,7 @@ void write_svg_trace(const BusRecord& record, const std::vector<std::size_t>& bo
                           {"transfer", "transfers"},
                           {"idle", "idle"},
                           {"arbitration", "arbitration"},
-                          {"even", "bus with an even board"},
+                          {"even", "bus with an even one"},
                           {"odd", "with an odd one"},
                           {"kept", "kept"}});
 }

@@ -136,7 +136,7 @@ std::string view_of(const std::string& file) {
   return extension.empty() ? "" : std::filesystem::path(file).replace_extension(extension).string();
 }
 
-TraceRequest trace_request(const TraceOptions& options, std::size_t board_count) {
+TraceRequest trace_request(const TraceOptions& options, std::size_t master_count) {
   check_companions(options);
   check_files(options);
   TraceRequest request;
@@ -146,8 +146,8 @@ TraceRequest trace_request(const TraceOptions& options, std::size_t board_count)
   if (!options.window.empty()) {
     request.window = window_of(options.window);
   }
-  const std::string all_boards = fmt::format("0..{}", board_count - 1);
-  request.boards = boards_of(options.boards.empty() ? all_boards : options.boards, board_count);
+  const std::string all_boards = fmt::format("0..{}", master_count - 1);
+  request.boards = boards_of(options.boards.empty() ? all_boards : options.boards, master_count);
   return request;
 }
 

@@ -38,8 +38,8 @@ std::string view_of(const std::string& file);
 
 /// Checks the texts of a command line: the window is "T0..T1", times with units from the frame's
 /// start, of which each may be left out; the boards are a list of numbers and ranges, e.g.
-/// "0,2..3", and empty for all of them; the lines go to a .vcd. Throws DescriptionError that says
-/// what is wrong and what is allowed.
-TraceRequest trace_request(const TraceOptions& options, std::size_t board_count);
+/// "0,2..3", which units of functions follow, and empty for all of them; the lines go to a .vcd.
+/// Throws DescriptionError that says what is wrong and what is allowed.
+TraceRequest trace_request(const TraceOptions& options, std::size_t master_count);
 
 }  // namespace maquette::sim

@@ -110,7 +110,7 @@ TEST_CASE("Traces have a track for each unit") {
                                                 " --trace bus.json --trace-window '0 s..2 s'"));
   const std::string trace = content_of(scratch / "traced" / "bus.json");
   for (const char* unit : {"board3", "intersection0", "intersection3"}) {
-    CHECK_THAT(trace, ContainsSubstring(unit));
+    CHECK_THAT(trace, ContainsSubstring(std::string(unit) + " (level "));
   }
 }
 
