@@ -74,6 +74,9 @@ class Kvm02 : public sc_core::sc_module {
     pixel_meter_.emplace(board, observer);
   }
 
+  /// As Processor::observe_pauses.
+  void observe_pauses(PauseObserver observer) { processor_.observe_pauses(std::move(observer)); }
+
   /// Its number on the bus, told before the simulation starts.
   void set_master(int master) { master_ = master; }
 

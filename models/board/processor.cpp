@@ -59,8 +59,14 @@ void Processor::pass() {
 
 void Processor::await(const sc_core::sc_event& event, Duration BoardStatistics::*state) {
   awaiting_ = state;
+  if (observer_) {
+    observer_(true, accounted_);
+  }
   sc_core::wait(event);
   awaiting_ = nullptr;
+  if (observer_) {
+    observer_(false, kernel_now());
+  }
   states_.*state += kernel_now() - accounted_;
   accounted_ = kernel_now();
 }

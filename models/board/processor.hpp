@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <systemc>
 #include <tlm>
+#include <utility>
 
 #include "firmware/arithmetic/work.hpp"
 #include "models/board/board_statistics.hpp"
@@ -17,6 +19,9 @@
 #include "models/bus/time_limit.hpp"
 
 namespace maquette::models {
+
+/// Whether a processor has nothing to do from an instant on until some event.
+using PauseObserver = std::function<void(bool pauses, Instant from)>;
 
 /// The time of a board's processor, and what it did with it.
 ///
@@ -77,6 +82,9 @@ class Processor {
   /// compute and does not promise.
   void await(const sc_core::sc_event& event, Duration BoardStatistics::*state);
 
+  /// When it begins to wait for events, and when it goes on, is shown to `observer`.
+  void observe_pauses(PauseObserver observer) { observer_ = std::move(observer); }
+
   /// From now on it does not promise the bus to request as soon as the kernel wakes it.
   void promise_nothing() { promises_ = false; }
 
@@ -113,6 +121,7 @@ class Processor {
   Duration computing_{};
   bool promises_ = true;
   Duration BoardStatistics::*awaiting_ = nullptr;  // the state in which it waits for an event
+  PauseObserver observer_;
   BoardStatistics states_;
 };
 

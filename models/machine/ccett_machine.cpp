@@ -253,6 +253,19 @@ void CcettMachine::observe_pixels(const PixelObserver& observer) {
   }
 }
 
+void CcettMachine::observe_pauses(
+    const std::function<void(std::size_t master, bool pauses, Instant from)>& observer) {
+  const auto of_master = [&observer](std::size_t master) {
+    return [observer, master](bool pauses, Instant from) { observer(master, pauses, from); };
+  };
+  for (std::size_t index = 0; index < boards_.size(); ++index) {
+    boards_[index]->observe_pauses(of_master(index));
+  }
+  if (units_) {
+    units_->observe_pauses([&](std::size_t unit) { return of_master(boards_.size() + unit); });
+  }
+}
+
 VideoReader& CcettMachine::watch_video(Duration from, Duration to) {
   video_reader_ = std::make_unique<VideoReader>(
       (std::string(basename()) + "_video_reader").c_str(), video_, frame_memory_.parameters(),

@@ -101,6 +101,11 @@ class CcettMachine : public sc_core::sc_module {
   /// Before the simulation starts.
   void observe_pixels(const PixelObserver& observer);
 
+  /// When a board or a function unit has nothing to do for a while is shown to `observer`, with its
+  /// number as in observe_bus. Before the simulation starts.
+  void observe_pauses(
+      const std::function<void(std::size_t master, bool pauses, Instant from)>& observer);
+
   [[nodiscard]] const Kvm02& board(std::size_t number) const { return *boards_[number]; }
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }

@@ -66,6 +66,15 @@ void MachineUnits::serve(Kvm02& board, std::uint64_t mailbox) {
   board.dispatch([&desk = *desks_.back()](const DispatchedBoard& lent) { desk.run(lent); });
 }
 
+void MachineUnits::observe_pauses(const std::function<PauseObserver(std::size_t)>& observer) {
+  std::size_t place = 0;
+  for (const auto& kind : units_) {
+    for (const auto& unit : kind) {
+      unit->observe_pauses(observer(place++));
+    }
+  }
+}
+
 Instant MachineUnits::accounted() const {
   Instant furthest{};
   for (const auto& kind : units_) {

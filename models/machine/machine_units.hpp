@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <systemc>
 #include <vector>
@@ -31,6 +33,9 @@ class MachineUnits {
 
   /// Masters of the bus, one after the other.
   [[nodiscard]] const std::vector<int>& masters() const { return masters_; }
+
+  /// The pauses of each unit are shown to what `observer` gives for its place among the masters.
+  void observe_pauses(const std::function<PauseObserver(std::size_t)>& observer);
 
   /// Up to here its states are known, perhaps ahead of the kernel.
   [[nodiscard]] Instant accounted() const;

@@ -58,6 +58,9 @@ class FunctionUnit : public sc_core::sc_module {
 
   [[nodiscard]] std::uint64_t mailbox() const { return mailbox_; }
 
+  /// As Processor::observe_pauses.
+  void observe_pauses(PauseObserver observer) { processor_.observe_pauses(std::move(observer)); }
+
   /// Keeps a place for an errand, to the beginning of its service.
   void reserve() {
     ++places_taken_;

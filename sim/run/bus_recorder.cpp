@@ -67,6 +67,19 @@ void add(const RecordedAccess& access, const TraceWindow& window, RecordedBus& b
   bus.accesses.push_back(access);
 }
 
+/// A pause that has not ended lasts for ever.
+void add_pause(bool pauses, Instant instant, const TraceWindow& window,
+               std::vector<RecordedPause>& of_master) {
+  if (pauses) {
+    of_master.push_back({instant, Instant::max()});
+    return;
+  }
+  of_master.back().to = instant;
+  if (of_master.back().to <= window.from || of_master.back().from >= window.to) {
+    of_master.pop_back();
+  }
+}
+
 }  // namespace
 
 std::string backplane_name(std::size_t backplane) {
@@ -84,6 +97,11 @@ void start_record(models::CcettMachine& model, const TraceWindow& window, BusRec
       const auto board = static_cast<std::size_t>(access.master);
       add(recorded(access, *start), record.window, record.buses[board % record.buses.size()]);
     }
+  });
+  model.observe_pauses([&model, &record](std::size_t master, bool pauses, Instant instant) {
+    record.pauses.resize(std::max(record.pauses.size(), master + 1));
+    add_pause(pauses, instant - model.started().value_or(instant), record.window,
+              record.pauses[master]);
   });
 }
 

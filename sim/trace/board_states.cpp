@@ -53,6 +53,30 @@ class Tiling {
   std::vector<StateInterval> intervals_;
 };
 
+// What a board does off the bus: it computes, but for its pauses.
+class OffBus {
+ public:
+  OffBus(const BusRecord& record, std::size_t board, Tiling& tiling) : tiling_(tiling) {
+    if (board < record.pauses.size()) {
+      next_ = record.pauses[board].begin();
+      end_ = record.pauses[board].end();
+    }
+  }
+
+  void stay(Instant until) {
+    for (; next_ != end_ && next_->from < until; ++next_) {
+      tiling_.stay(BoardState::compute, next_->from);
+      tiling_.stay(BoardState::idle, std::min(next_->to, until));
+    }
+    tiling_.stay(BoardState::compute, until);
+  }
+
+ private:
+  Tiling& tiling_;
+  std::vector<RecordedPause>::const_iterator next_{};
+  std::vector<RecordedPause>::const_iterator end_{};
+};
+
 }  // namespace
 
 const char* name_of(BoardState state) {
@@ -71,16 +95,17 @@ const char* name_of(BoardState state) {
 
 std::vector<StateInterval> board_states(const BusRecord& record, std::size_t board) {
   Tiling tiling(record.window);
+  OffBus off_bus(record, board, tiling);
   for (const RecordedAccess& access : accesses_of(record, board)) {
-    tiling.stay(BoardState::compute, access.request);
+    off_bus.stay(access.request);
     tiling.stay(BoardState::wait_grant, access.grant);
     tiling.stay(BoardState::transfer, access.end());
   }
   if (const auto& finish = record.boards[board].finish) {
-    tiling.stay(BoardState::compute, *finish);
+    off_bus.stay(*finish);
     tiling.stay(BoardState::idle, record.window.to);
   } else {
-    tiling.stay(BoardState::compute, standing_request(record, board));
+    off_bus.stay(standing_request(record, board));
     tiling.stay(BoardState::wait_grant, record.window.to);
   }
   return tiling.take();

@@ -7,7 +7,8 @@
 
 namespace maquette::sim {
 
-/// What a board does; a run's statistics have the same four.
+/// What a board does: as a run's statistics have it, but that it is idle as well while it waits for
+/// function units.
 enum class BoardState { compute, wait_grant, transfer, idle };
 
 /// In traces.

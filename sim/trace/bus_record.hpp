@@ -71,6 +71,12 @@ struct RecordedBoard {
   std::optional<models::Instant> finish;  ///< when it had no more pixels, if it came to that
 };
 
+/// A time for which a board or a function unit had nothing to do.
+struct RecordedPause {
+  models::Instant from;
+  models::Instant to;
+};
+
 /// A request that was not granted when the run was interrupted.
 struct StandingRequest {
   std::size_t board;
@@ -93,6 +99,9 @@ struct BusRecord {
   std::vector<RecordedBoard> boards;
   std::vector<RecordedBus> buses;
   std::optional<VideoRecord> video;  ///< when it was looked at
+  /// Of each board by its number, those that touch the window, in the order of time; of machines
+  /// with function units alone.
+  std::vector<std::vector<RecordedPause>> pauses = {};
 };
 
 /// How long a text is expected to be that says so many bytes about each access, and so many more

@@ -10,12 +10,13 @@ using namespace maquette::sim;
 
 namespace {
 
-// A board that uses two buses in turn, cut off at `end`.
+// A board that uses two buses in turn, cut off at `end`, and pauses before it does.
 BusRecord random_record(std::mt19937& random, Instant end) {
   BusRecord record;
   record.window.to = end;
   record.boards.resize(2);
   record.buses.resize(2);
+  record.pauses.resize(2);
   Instant now{};
   while (now < end) {
     RecordedAccess access;
@@ -23,6 +24,9 @@ BusRecord random_record(std::mt19937& random, Instant end) {
     access.grant = access.request + Duration(random() % 20);
     access.duration = ShortDuration(1 + random() % 30);
     access.board = 1;
+    const Instant pause = now + Duration(random() % ((access.request - now).count() + 1));
+    record.pauses[1].push_back(
+        {pause, pause + Duration(random() % ((access.request - pause).count() + 1))});
     now = access.end();
     record.buses[random() % 2].accesses.push_back(access);
   }
@@ -35,6 +39,11 @@ BoardState state_at(const BusRecord& record, Instant instant) {
       if (access.request <= instant && instant < access.end()) {
         return instant < access.grant ? BoardState::wait_grant : BoardState::transfer;
       }
+    }
+  }
+  for (const RecordedPause& pause : record.pauses[1]) {
+    if (pause.from <= instant && instant < pause.to) {
+      return BoardState::idle;
     }
   }
   return BoardState::compute;
@@ -95,6 +104,19 @@ TEST_CASE("a board of an interrupted run computes until its request and waits fr
   CHECK(intervals[1].from == Instant(70));
   record.buses[0].standing[0].request = Instant(130);  // not yet made
   CHECK(board_states(record, 1).size() == 1);
+}
+
+TEST_CASE("a pause that does not end lasts as long as the window") {
+  BusRecord record;
+  record.window = {Instant(10), Instant(100)};
+  record.boards.resize(1);
+  record.pauses = {{{Instant(40), Instant::max()}}};
+  const auto intervals = board_states(record, 0);
+  check_tiling(record, intervals);
+  REQUIRE(intervals.size() == 2);
+  CHECK(intervals[0].state == BoardState::compute);
+  CHECK(intervals[1].state == BoardState::idle);
+  CHECK(intervals[1].from == Instant(40));
 }
 
 TEST_CASE("a window without time has no states") {
