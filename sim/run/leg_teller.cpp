@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace maquette::sim {
 
@@ -10,10 +11,7 @@ namespace {
 
 using firmware::counted_meter;
 
-std::uint16_t words_of(int words) {
-  constexpr int k_most = std::numeric_limits<std::uint16_t>::max();
-  return static_cast<std::uint16_t>(std::min(words, k_most));
-}
+constexpr int k_most_words = std::numeric_limits<std::uint16_t>::max();
 
 /// Calls `visit` with the cell of each function of a kind of ray that has a bit.
 template <class Visit>
@@ -63,6 +61,7 @@ void LegTeller::start() {
     known_[kind] = counted_meter.entered[kind];
   }
   counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
+  most_words_ = 0;
   parts_.assign(1, {});
   legs_.clear();
 }
@@ -70,6 +69,11 @@ void LegTeller::start() {
 const std::vector<models::PixelLeg>& LegTeller::take() {
   cut(0);
   give_back();
+  if (most_words_ > k_most_words) {
+    throw std::overflow_error(
+        "a part of a pixel's process is handed " + std::to_string(most_words_) + " words, and " +
+        std::to_string(k_most_words) + " can be told; fewer bodies in a row take less");
+  }
   return legs_;
 }
 
@@ -83,6 +87,13 @@ void LegTeller::end() {
   cut(parts_.back().messages.returned);
   parts_.pop_back();
   parts_.back().handed_in = parts_.back().messages.resumed;
+}
+
+// Parts end in destructors, which must not throw: too many words are told of when the pixel is
+// over.
+std::uint16_t LegTeller::words_of(int words) {
+  most_words_ = std::max(most_words_, words);
+  return static_cast<std::uint16_t>(words);
 }
 
 /// What was counted since the last cut becomes a leg of the innermost part.

@@ -24,7 +24,8 @@ class LegTeller {
   /// A pixel begins, from what the meter has counted so far.
   void start();
   /// The legs of the pixel, which is over. A part that counted nothing makes none, and what the one
-  /// around it does before and after is one leg then. Valid until the next pixel.
+  /// around it does before and after is one leg then. Valid until the next pixel. Throws
+  /// std::overflow_error when one is handed more words than a PixelLeg can tell.
   const std::vector<models::PixelLeg>& take();
 
  private:
@@ -45,14 +46,16 @@ class LegTeller {
   void begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages);
   void end();
   void cut(int handed_out);
+  std::uint16_t words_of(int words);
   bool take_work(Part& part, firmware::LongWork& work);
   void give_back();
 
   firmware::LegListener listener_;
   std::vector<firmware::CountedMeter::Cell>
-      told_;         // counts of all cells, as far as they are in legs
-  Cells known_{};    // of which they are not 0
-  Cells entered_{};  // what has been taken away of the meter's
+      told_;            // counts of all cells, as far as they are in legs
+  Cells known_{};       // of which they are not 0
+  Cells entered_{};     // what has been taken away of the meter's
+  int most_words_ = 0;  // that a leg of the pixel is handed, or hands back
   std::vector<Part> parts_;
   std::vector<models::PixelLeg> legs_;
 };

@@ -208,3 +208,25 @@ TEST_CASE("A part that counts nothing is no leg and parts none") {
   CHECK(legs[2].work[Operation::node] == 10);
   CHECK(legs[3].numbers_in == 4);
 }
+
+TEST_CASE("As many words are handed over as a leg can tell, and of more is told") {
+  using firmware::Counted;
+  firmware::reset_counted_work();
+  LegTeller teller;
+  const auto hand = [&teller](int given, int returned) {
+    teller.start();
+    {
+      const firmware::InLeg<Counted> leg(Stage::combination, [=] {
+        return firmware::LegMessages{given, returned};
+      });
+      firmware::charge<Counted>(Operation::node);
+    }
+    return teller.take();
+  };
+  CHECK_THROWS_AS(hand(65536, 1), std::overflow_error);
+  CHECK_THROWS_AS(hand(1, 65536), std::overflow_error);
+  const std::vector<PixelLeg> legs = hand(65535, 65535);
+  REQUIRE(legs.size() == 1);
+  CHECK(legs[0].numbers_in == 65535);
+  CHECK(legs[0].numbers_out == 65535);
+}
