@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/machine/cost_fields.hpp"
+#include "sim/machine/unit_fields.hpp"
 #include "sim/primitives/primitive_keys.hpp"
 #include "sim/primitives/primitive_table.hpp"
 #include "sim/scene/scene_fields.hpp"
@@ -99,16 +100,32 @@ std::vector<KeyRow> of_one_operation(std::vector<KeyRow> rows, std::size_t first
 }
 
 std::vector<KeyRow> arithmetic_keys() {
-  return of_one_operation(listed<Machine>([](KeyTable& table, Machine& machine) {
-                            declare_arithmetic(table, machine);
+  return of_one_operation(listed<CostTables>([](KeyTable& table, CostTables& tables) {
+                            models::ArithmeticCosts costs;
+                            declare_arithmetic(table, costs, tables);
                           }),
                           0);
 }
 
 std::vector<KeyRow> program_keys() {
-  return of_one_operation(
-      listed<Machine>([](KeyTable& table, Machine& machine) { declare_program(table, machine); }),
-      firmware::k_arithmetic_count);
+  return of_one_operation(listed<CostTables>([](KeyTable& table, CostTables& tables) {
+                            models::ArithmeticCosts costs;
+                            declare_program(table, costs, tables);
+                          }),
+                          firmware::k_arithmetic_count);
+}
+
+/// Its cost tables have parts of their own.
+std::vector<KeyRow> unit_keys() {
+  std::vector<KeyRow> rows = listed<CostTables>([](KeyTable& table, CostTables& tables) {
+    models::FunctionUnitParameters unit;
+    declare_unit_kind(table, unit, tables);
+  });
+  rows.erase(
+      std::remove_if(rows.begin(), rows.end(),
+                     [](const KeyRow& row) { return row.path.find('.') != std::string::npos; }),
+      rows.end());
+  return rows;
 }
 
 constexpr Part k_parts[] = {
@@ -123,14 +140,20 @@ constexpr Part k_parts[] = {
     {"place", "Where an object stands in the frame of the object above it, `place`", place_keys,
      "object: {sphere: {radius: 1}, surface: red, place: [{scale: 2}, {translate: [0, 0, 1]}]}"},
     {"arithmetic",
-     "A cost table of arithmetic, the file that board.arithmetic names; OPERATION is "
+     "A cost table of arithmetic, the file that `arithmetic` of a board or unit names; OPERATION "
+     "is "
      "each of the operations in models/arithmetic",
      arithmetic_keys,
      "multiply: {clocks: 290, reads: 31, writes: 7, called: false, mark: I, source: an estimate}"},
     {"program",
-     "A cost table of the program's events, the file that board.program names; OPERATION "
+     "A cost table of the program's events, the file that `program` of a board or unit names; "
+     "OPERATION "
      "is each of the events in models/program",
      program_keys, "ray: {clocks: 2500, reads: 400, writes: 200, mark: I, source: an estimate}"},
+    {"unit",
+     "Function units of a kind (extents, intersection, combination, photometry, secondary_rays), "
+     "in `units` of a machine by its name; arithmetic and program are cost tables or their names",
+     unit_keys, "units: {intersection: {number: 4, clock: 64 MHz}}"},
     {"study", "A study, the file of `sweep --sweep`", study_keys,
      "{name: boards, scene: photo4, vary: {processors: 1..8}}"},
     {"plot", "A plot of a study, in its list `plots`", plot_keys,

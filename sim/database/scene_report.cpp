@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "sim/database/board_code.hpp"
 #include "sim/database/memory_map.hpp"
@@ -99,23 +100,47 @@ const char* mark_of(ConfidenceMark mark) {
   return "I";
 }
 
-/// One line per operation: costs without wait states, whether a call, mark and source.
-std::string cost_table(const Machine& machine) {
-  const models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
+/// One line per operation: costs without wait states, whether a call, mark and source. `path` is
+/// where they stand in the machine.
+std::string cost_table(const std::string& path, const models::ArithmeticCosts& costs,
+                       const CostTables& tables) {
   std::string text = fmt::format(
-      "Cost table {} (board.arithmetic.OPERATION.clocks, .reads, .writes), {} bytes of "
+      "Cost table {} ({}.arithmetic.OPERATION.clocks, .reads, .writes), {} bytes of "
       "code; R read, M measured, W widely stated, I inferred\n",
-      machine.arithmetic_name, costs.package_bytes);
+      tables.arithmetic, path, costs.package_bytes);
   text += fmt::format("  {:<17} {:>8} {:>7} {:>7}  {:<7} {}\n", "operation", "clocks", "reads",
                       "writes", "", "source");
   for (std::size_t i = 0; i < costs.operations.size(); ++i) {
     const models::OperationCost& cost = costs.operations[i];
-    const CostSource& source = machine.cost_sources[i];
+    const CostSource& source = tables.sources[i];
     text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
                         firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
                         costs.called[i] ? "called" : "in line", mark_of(source.mark), source.text);
   }
   return text;
+}
+
+/// Those of function units with costs of their own.
+std::string unit_cost_tables(const Machine& machine) {
+  std::string text;
+  for (std::size_t kind = 0; kind < machine.unit_tables.size(); ++kind) {
+    const models::FunctionUnitParameters& unit = machine.parameters.units.kinds[kind];
+    if (unit.number > 0 && unit.costs) {
+      text += "\n" + cost_table(std::string("units.") + models::k_unit_kind_names[kind],
+                                *unit.costs, machine.unit_tables[kind]);
+    }
+  }
+  return text;
+}
+
+/// Whether a parameter is one of those that cost tables show.
+bool is_in_cost_table(const ParameterRow& row) {
+  const auto starts_with = [&row](std::string_view start) {
+    return row.path.compare(0, start.size(), start) == 0;
+  };
+  return starts_with("board.arithmetic.") ||
+         (starts_with("units.") && (row.path.find(".arithmetic.") != std::string::npos ||
+                                    row.path.find(".program.") != std::string::npos));
 }
 
 }  // namespace
@@ -139,14 +164,10 @@ std::string scene_report(const Scene& scene, const Machine& machine) {
 std::string machine_report(const Machine& machine) {
   std::vector<ParameterRow> rows =
       with_defaults(list_parameters(machine), list_parameters(default_machine()));
-  const std::string prefix = "board.arithmetic.";
-  rows.erase(std::remove_if(rows.begin(), rows.end(),
-                            [&prefix](const ParameterRow& row) {
-                              return row.path.compare(0, prefix.size(), prefix) == 0;
-                            }),
-             rows.end());
-  return fmt::format("Machine {}\n{}\n{}", machine.name, parameter_table(rows),
-                     cost_table(machine));
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_in_cost_table), rows.end());
+  return fmt::format("Machine {}\n{}\n{}{}", machine.name, parameter_table(rows),
+                     cost_table("board", machine.parameters.board.arithmetic, machine.tables),
+                     unit_cost_tables(machine));
 }
 
 }  // namespace maquette::sim

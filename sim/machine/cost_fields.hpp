@@ -45,9 +45,8 @@ void declare_source(Visitor& visitor, CostSource& source) {
 /// The fields of a table of models/arithmetic/: every operation of arithmetic in
 /// firmware/arithmetic/work.hpp.
 template <class Visitor>
-void declare_arithmetic(Visitor& visitor, Machine& machine) {
-  models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
-  visitor.field(required("name", "name of the cost table"), machine.arithmetic_name, TextType{});
+void declare_arithmetic(Visitor& visitor, models::ArithmeticCosts& costs, CostTables& tables) {
+  visitor.field(required("name", "name of the cost table"), tables.arithmetic, TextType{});
   visitor.field(required("code", "of the package in a board's RAM, loaded by the host"),
                 costs.package_bytes, WholeType{WholeDimension::memory, {0, 16 * k_mebibyte}});
   visitor.field(
@@ -68,7 +67,7 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
                                           {"ieee_single", firmware::NumberFormat::ieee_single}}});
   for (std::size_t i = 0; i < firmware::k_arithmetic_count; ++i) {
     visitor.group(required(firmware::k_operation_names[i], "cost of this operation"), [&, i] {
-      CostSource& source = machine.cost_sources[i];
+      CostSource& source = tables.sources[i];
       declare_cost(visitor, costs.operations[i], marked(source), true);
       visitor.field(required("called", "a call that pays board.call_overhead; false: in line"),
                     costs.called[i], FlagType{});
@@ -80,15 +79,14 @@ void declare_arithmetic(Visitor& visitor, Machine& machine) {
 /// The fields of a table of models/program/: every event of the process in
 /// firmware/arithmetic/work.hpp.
 template <class Visitor>
-void declare_program(Visitor& visitor, Machine& machine) {
-  visitor.field(required("name", "name of the cost table"), machine.program_name, TextType{});
+void declare_program(Visitor& visitor, models::ArithmeticCosts& costs, CostTables& tables) {
+  visitor.field(required("name", "name of the cost table"), tables.program, TextType{});
   for (std::size_t i = firmware::k_arithmetic_count; i < firmware::k_operation_count; ++i) {
     visitor.group(required(firmware::k_operation_names[i],
                            "what the program takes for this event, besides arithmetic"),
                   [&, i] {
-                    CostSource& source = machine.cost_sources[i];
-                    declare_cost(visitor, machine.parameters.board.arithmetic.operations[i],
-                                 marked(source), true);
+                    CostSource& source = tables.sources[i];
+                    declare_cost(visitor, costs.operations[i], marked(source), true);
                     declare_source(visitor, source);
                   });
   }

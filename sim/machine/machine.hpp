@@ -20,6 +20,13 @@ struct CostSource {
   ConfidenceMark mark = ConfidenceMark::inferred;
 };
 
+/// Where the costs of a processor come from: the names of its tables, and each of their figures.
+struct CostTables {
+  std::string arithmetic;
+  std::string program;
+  std::array<CostSource, firmware::k_operation_count> sources;
+};
+
 /// What counted work costs: what a sample of pixels took whose program was executed, where boards
 /// can execute it, or what the tables say.
 enum class CostOrigin { calibrated, tables };
@@ -29,10 +36,10 @@ enum class CostOrigin { calibrated, tables };
 struct Machine {
   std::string name;
   models::MachineParameters parameters;  ///< boards are placed
-  std::string arithmetic_name;
-  std::string program_name;
+  CostTables tables;                     ///< of the boards
+  /// Of the units of a kind that have costs of their own.
+  std::array<CostTables, models::k_unit_kind_count> unit_tables;
   CostOrigin cost_origin = CostOrigin::calibrated;
-  std::array<CostSource, firmware::k_operation_count> cost_sources;
   std::int64_t stack_bytes = 16384;    ///< reserved in a board's RAM
   int crossing_capacity = 1024;        ///< of the work area for ray crossings
   int ray_capacity = 32;               ///< of the work area for rays that wait

@@ -119,9 +119,9 @@ void declare_board(Visitor& visitor, Machine& machine) {
                  false);
   });
   visitor.group(required("arithmetic", "cost of every operation of arithmetic"),
-                [&] { declare_arithmetic(visitor, machine); });
+                [&] { declare_arithmetic(visitor, board.arithmetic, machine.tables); });
   visitor.group(required("program", "cost of every event of the process"),
-                [&] { declare_program(visitor, machine); });
+                [&] { declare_program(visitor, board.arithmetic, machine.tables); });
   visitor.field(
       {"costs",
        "of counted work: told from pixels whose program is executed, where the boards can execute "
@@ -337,7 +337,7 @@ void declare_machine(Visitor& visitor, Machine& machine) {
                 [&] { declare_allotment(visitor, parameters.allotment); });
   visitor.group({"shared_memory", "a memory board on the bus, when boards share something"},
                 [&] { declare_shared_memory(visitor, parameters.shared_memory); });
-  declare_units(visitor, parameters.units);
+  declare_units(visitor, parameters.units, machine.unit_tables);
 }
 
 }  // namespace maquette::sim

@@ -46,6 +46,25 @@ void check_addresses(const models::MachineParameters& parameters, const YamlNode
       "addresses; fewer units or less RAM are allowed");
 }
 
+/// The events of the boards' program are not what a processor of its own does.
+void check_costs(const YamlNode& root) {
+  for (const char* const kind : models::k_unit_kind_names) {
+    const std::string path = std::string("units.") + kind;
+    const YamlNode& unit = nearest_node(root, path);
+    if (unit.kind != YamlKind::mapping) {
+      continue;
+    }
+    const bool has_arithmetic = unit.find("arithmetic") != nullptr;
+    const bool has_program = unit.find("program") != nullptr;
+    require(has_program || !has_arithmetic, root, path,
+            "a unit with costs of its own has them of all its work; arithmetic is allowed with "
+            "program");
+    require(has_arithmetic || !has_program, root, path,
+            "a unit with costs of its own has them of all its work; program is allowed with "
+            "arithmetic");
+  }
+}
+
 }  // namespace
 
 void check_units(const Machine& machine, const YamlNode& root) {
@@ -53,6 +72,7 @@ void check_units(const Machine& machine, const YamlNode& root) {
   if (!models::has_units(parameters.units)) {
     return;
   }
+  check_costs(root);
   require(!models::is_shared(parameters.board.database), root, "board.database",
           "boards that hand out errands have copies; own_copy is allowed");
   require(!models::keeps_line(parameters.board.pixel_write), root, "board.pixel_write",

@@ -31,7 +31,7 @@ std::vector<std::string> board_lines(const RunResults& results, const BoardStati
   return {statistics.name,
           "processor " + clock(board.clock_hz),
           fmt::format("RAM {}, read wait {}", memory(board.ram_bytes), board.ram_read_wait_clocks),
-          "arithmetic " + results.description.machine.arithmetic_name,
+          "arithmetic " + results.description.machine.tables.arithmetic,
           fmt::format("bus level {}, position {}", on_bus.level, on_bus.position),
           fmt::format("{} pixels, computes {}", statistics.pixels,
                       percent(share_of(in_seconds(statistics.compute),

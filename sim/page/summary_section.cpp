@@ -21,7 +21,7 @@ std::string times_from(const CostStatistics& costs, const Machine& machine) {
     return "the boards' program, executed instruction by instruction";
   }
   return fmt::format("the firmware's counted work, at the costs of the tables {} and {}",
-                     machine.arithmetic_name, machine.program_name);
+                     machine.tables.arithmetic, machine.tables.program);
 }
 
 }  // namespace

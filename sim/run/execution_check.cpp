@@ -37,7 +37,7 @@ std::optional<std::string> obstacle_to_execution(const Machine& machine,
     return fmt::format(
         "{} is no package of routines on an MC68000; set "
         "board.arithmetic=motorola_ffp, maquette_ffp or ieee_single",
-        machine.arithmetic_name);
+        machine.tables.arithmetic);
   }
   if (models::has_own_package(arithmetic.execution) &&
       models::numbers_of(arithmetic) != firmware::NumberFormat::ffp) {

@@ -91,7 +91,7 @@ Machine with_room(const Machine& machine, const MemoryMap& map) {
 std::string times_from(const Machine& machine, bool executed) {
   if (!executed) {
     return fmt::format("the firmware's counted work, at the costs of the tables {} and {}",
-                       machine.arithmetic_name, machine.program_name);
+                       machine.tables.arithmetic, machine.tables.program);
   }
   switch (machine.parameters.board.arithmetic.execution) {
     case models::ArithmeticExecution::package:
@@ -104,7 +104,7 @@ std::string times_from(const Machine& machine, bool executed) {
       break;
   }
   return "the boards' program, executed but for its arithmetic, which costs what " +
-         machine.arithmetic_name + " says";
+         machine.tables.arithmetic + " says";
 }
 
 std::string times_from(const Calibration& calibration) {

@@ -25,10 +25,11 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view k_default_machine = "ccett-1984";
 
-/// A table that a board may name; both its key in the board and the kind of what is shipped.
+/// A table that a board or a function unit may name; both its key in the board and the kind of what
+/// is shipped.
 struct CostTable {
   std::string_view key;
-  std::string_view standard;  ///< stands for it where none is named
+  std::string_view standard;  ///< stands for a board's where none is named
 };
 constexpr std::array<CostTable, 2> k_cost_tables{
     {{"arithmetic", "motorola_ffp"}, {"program", "mc68000"}}};
@@ -109,11 +110,27 @@ void expand_table(YamlNode& board, const CostTable& kind, Loader& loader) {
   loader.expand(table, kind.key);
 }
 
-/// Puts the cost tables of the machine's boards in the places of their names.
+/// Those that units name.
+void expand_unit_tables(YamlNode& machine, Loader& loader) {
+  YamlNode* units = machine.find("units");
+  if (units == nullptr) {
+    return;
+  }
+  for (YamlEntry& kind : units->entries) {
+    for (const CostTable& table : k_cost_tables) {
+      if (YamlNode* const node = kind.value.find(table.key)) {
+        loader.expand(*node, table.key);
+      }
+    }
+  }
+}
+
+/// Puts the cost tables of the machine's boards and units in the places of their names.
 void expand_tables(YamlNode& machine, Loader& loader) {
   if (machine.kind != YamlKind::mapping) {
     return;
   }
+  expand_unit_tables(machine, loader);
   YamlNode& board = value_of(machine, "board");
   if (board.kind == YamlKind::null) {
     board.kind = YamlKind::mapping;
@@ -131,6 +148,13 @@ bool is_cost_table(std::string_view key) {
                      [key](const CostTable& table) { return table.key == key; });
 }
 
+/// Whether the path, from step `first` on, leads to what stands in a cost table.
+bool leads_into_table(const std::vector<Override::Step>& path, std::size_t first) {
+  const std::size_t of_board = path[first].key == "board" ? first + 1 : path.size();
+  const std::size_t table = path[first].key == "units" ? first + 2 : of_board;
+  return table + 1 < path.size() && is_cost_table(path[table].key);
+}
+
 bool contains(const std::vector<std::string_view>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -142,10 +166,7 @@ void apply_to_machine(YamlNode& machine, const Override& change, std::size_t fir
     loader.expand(machine, "machines");
     return;
   }
-  const bool goes_into_table = change.path.size() > first + 2 &&
-                               change.path[first].key == "board" &&
-                               is_cost_table(change.path[first + 1].key);
-  if (goes_into_table) {
+  if (leads_into_table(change.path, first)) {
     expand_tables(machine, loader);
   }
   apply_override(machine, change, first);

@@ -32,7 +32,7 @@ struct Description {
 /// Reads the scene, its machine and its cost tables. The machine is `sources.machine`, or what the
 /// scene names or holds under `machine`, or the shipped ccett-1984; the cost tables are what the
 /// machine names or holds under board.arithmetic and board.program, or the shipped motorola_ffp and
-/// mc68000. Names of files are
+/// mc68000, and what it names or holds under the same keys of its units. Names of files are
 /// relative to the file that names them; where there is none, it may be the name of a shipped one.
 /// The first step of an override's path decides whether it goes to the scene or to the machine;
 /// `machine.` may be written before it.

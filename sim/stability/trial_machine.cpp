@@ -144,10 +144,10 @@ int run_trial(const TrialMachine& trial, int limit_s, TrialOutcome& outcome) {
 TrialMachine trial_machine(int boards, const models::PixelRectangle& zone) {
   TrialMachine trial{default_machine(), zone, [](std::int64_t) { return 0U; }};
   trial.machine.name = "trial";
-  trial.machine.arithmetic_name = "free";
-  trial.machine.program_name = "free";
+  trial.machine.tables.arithmetic = "free";
+  trial.machine.tables.program = "free";
   trial.machine.cost_origin = CostOrigin::tables;
-  for (CostSource& source : trial.machine.cost_sources) {
+  for (CostSource& source : trial.machine.tables.sources) {
     source.text = "a trial";
   }
   models::MachineParameters& parameters = trial.machine.parameters;

@@ -13,6 +13,10 @@
 namespace maquette::sim {
 namespace {
 
+bool ends_with(std::string_view path, std::string_view end) {
+  return path.size() >= end.size() && path.substr(path.size() - end.size()) == end;
+}
+
 /// What a parameter of this path holds, when that is a description of its own.
 std::optional<DescriptionPart> part_at(std::string_view path) {
   if (path == "scene") {
@@ -21,10 +25,10 @@ std::optional<DescriptionPart> part_at(std::string_view path) {
   if (path == "machine") {
     return DescriptionPart::machine;
   }
-  if (path == "board.arithmetic" || path == "machine.board.arithmetic") {
+  if (ends_with(path, ".arithmetic")) {
     return DescriptionPart::arithmetic;
   }
-  if (path == "board.program" || path == "machine.board.program") {
+  if (ends_with(path, ".program")) {
     return DescriptionPart::program;
   }
   return std::nullopt;

@@ -80,6 +80,9 @@ std::string command_of(const std::string& part, const std::string& example,
     return "photo4 --set board.program=" +
            scratch.file("table.yaml", table_with(example, "models/program/mc68000.yaml"));
   }
+  if (part == "unit") {
+    return scratch.file("machine.yaml", "name: example\nprocessors: 4\n" + example + "\n");
+  }
   return scratch.file("scene.yaml", scene_with(example));
 }
 

@@ -53,7 +53,17 @@ constexpr Processor k_processors[] = {
      0,
      0,
      {},
-     "as mc68000, of {} pixels, times 0.4 clocks of 320 ns: instructions of 1.6 us in the mean"}};
+     "as mc68000, of {} pixels, times 0.4 clocks of 320 ns: instructions of 1.6 us in the mean"},
+    {"microprogrammed",
+     "I",
+     0.1,
+     0,
+     0,
+     0,
+     {1, 0, 0},
+     "as mc68000, of {} pixels, a microinstruction in place of 10 of its clocks (assumed, 5 to "
+     "20), "
+     "operands in registers and a memory of the microcycle"}};
 
 OperationCosts least_costs(const Processor& processor) {
   OperationCosts costs{};
@@ -130,7 +140,7 @@ extern "C" int sc_main(int /*argc*/, char** /*argv*/) { return 0; }
 int main(int count, char** arguments) {
   const int status = count == 3 ? maquette::costs::print(arguments[1], arguments[2]) : 2;
   if (status != 0) {
-    std::cerr << "usage: event_costs DIRECTORY call|mc68000|mc68020|vax_11_750\n"
+    std::cerr << "usage: event_costs DIRECTORY call|mc68000|mc68020|vax_11_750|microprogrammed\n"
                  "DIRECTORY holds models/ and scenes/.\n";
   }
   return status;

@@ -62,6 +62,23 @@ TEST_CASE("one board with one unit takes the sum of both, and of what they tell 
         k_zone.pixels() * (700 * k_clock + 9 * k_gap));
 }
 
+TEST_CASE("a unit with costs and a clock of its own serves at them, and boards at theirs") {
+  MachineParameters parameters = with_units(1, UnitKind::intersection, 1);
+  FunctionUnitParameters& unit = kind_of(parameters, UnitKind::intersection);
+  unit.costs = parameters.board.arithmetic;
+  unit.costs->operations[static_cast<std::size_t>(maquette::firmware::Operation::node)].clocks =
+      0.25;
+  unit.clock_hz = 16e6;
+  UnitRun run("machine", parameters, k_zone,
+              always({leg(Stage::extents, 300), leg(Stage::intersection, 800, 9, 4)}));
+  sc_core::sc_start();
+  check_unit_run(run.machine);
+  const MachineStatistics statistics = run.machine.statistics();
+  CHECK(statistics.units[0].units[0].states.compute ==
+        k_zone.pixels() * (100 * k_clock + 9 * k_gap));
+  CHECK(statistics.boards[0].working == (5000 + k_zone.pixels() * 300) * k_clock);
+}
+
 TEST_CASE("without contention and arbitration a bus is ideal") {
   MachineParameters parameters = with_units(1, UnitKind::photometry, 1);
   parameters.bus.arbitration_clocks = 0;

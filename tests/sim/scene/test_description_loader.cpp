@@ -67,7 +67,7 @@ TEST_CASE("the effective configuration keeps what overrides changed, and places 
   CHECK(first.machine.parameters.bus.arbitration == models::k_round_robin);
   CHECK(first.machine.parameters.bus.data_width_bits == 32);
   CHECK(first.machine.parameters.board.clock_hz == 12.5e6);
-  CHECK(first.machine.arithmetic_name == "mc68881");
+  CHECK(first.machine.tables.arithmetic == "mc68881");
   const auto multiply = static_cast<std::size_t>(firmware::Operation::multiply);
   CHECK(first.machine.parameters.board.arithmetic.operations[multiply].clocks == 123.25);
   CHECK(first.machine.parameters.board.arithmetic.operations[multiply].reads == 31);
@@ -100,9 +100,9 @@ TEST_CASE("the shipped prototype says every figure and says the declared default
   const Machine machine = load_machine({{}, file, {}, data_directory().string()}, input_files);
   Machine standard = default_machine();
   standard.name = machine.name;
-  standard.arithmetic_name = machine.arithmetic_name;
-  standard.program_name = machine.program_name;
-  standard.cost_sources = machine.cost_sources;
+  standard.tables.arithmetic = machine.tables.arithmetic;
+  standard.tables.program = machine.tables.program;
+  standard.tables.sources = machine.tables.sources;
   standard.parameters.board.arithmetic = machine.parameters.board.arithmetic;
   for (const ParameterRow& row : list_parameters(machine)) {
     INFO(row.path);
@@ -131,19 +131,19 @@ TEST_CASE("the shipped prototype says every figure and says the declared default
 }
 
 TEST_CASE("every shipped cost table loads, orders its costs sensibly and marks its sources") {
-  for (const char* name : {"motorola_ffp", "ieee_single", "mc68881"}) {
+  for (const char* name : {"motorola_ffp", "ieee_single", "mc68881", "microprogrammed"}) {
     INFO(name);
     const Description description =
         load_text(k_rich_scene, {std::string{"board.arithmetic="} + name});
     const Machine& machine = description.machine;
-    CHECK(machine.arithmetic_name == name);
+    CHECK(machine.tables.arithmetic == name);
     for (std::size_t i = 0; i < firmware::k_operation_count; ++i) {
       INFO(firmware::k_operation_names[i]);
       const models::OperationCost& cost = machine.parameters.board.arithmetic.operations[i];
       CHECK((cost.clocks > 0 || i >= firmware::k_arithmetic_count));
       // A bus cycle of the 68000 takes four clocks.
       CHECK(4 * (cost.reads + cost.writes) <= cost.clocks + 1e-9);
-      CHECK_FALSE(machine.cost_sources[i].text.empty());
+      CHECK_FALSE(machine.tables.sources[i].text.empty());
     }
   }
 }
@@ -160,11 +160,11 @@ TEST_CASE("files are found relative to the file that names them") {
   const std::string models = data_directory().string();
   const Description named = load_description({scene, {}, {}, models});
   CHECK(named.machine.parameters.boards.size() == 16);
-  CHECK(named.machine.arithmetic_name == "mc68881");
+  CHECK(named.machine.tables.arithmetic == "mc68881");
   CHECK(named.input_files.size() == 4);
   CHECK(load_description({scene, "ccett-1984", {}, models}).machine.parameters.boards.size() == 4);
   CHECK(load_description({scene, machine, {}, models}).machine.name == "big");
-  CHECK(load_text(k_rich_scene + "machine: {name: bare}\n").machine.arithmetic_name ==
+  CHECK(load_text(k_rich_scene + "machine: {name: bare}\n").machine.tables.arithmetic ==
         "motorola_ffp");
   CHECK(load_description({scene, machine, {"board.call_overhead.clocks=20"}, models})
             .machine.parameters.board.call_overhead.reads == 12);

@@ -22,6 +22,10 @@ std::string with_machine(const std::string& machine) {
          machine + "\n";
 }
 
+std::string configuration(const Description& description) {
+  return effective_configuration(description.scene, description.machine);
+}
+
 const models::FunctionUnitParameters& unit_of(const Description& description,
                                               models::UnitKind kind) {
   return description.machine.parameters.units.kinds[static_cast<std::size_t>(kind)];
@@ -79,6 +83,53 @@ TEST_CASE("units that make no machine are refused with their place") {
   CHECK_THAT(refused("host: {place: {level: 1, position: 4}}"),
              ContainsSubstring("extents unit 0 is at level 1, position 4"));
   CHECK(refused("processors: 3").empty());
+}
+
+TEST_CASE("a unit's own cost tables are read, kept apart from the boards', and written again") {
+  const Description description = load_text(
+      with_machine("ccett-1984"),
+      {"units.intersection.arithmetic=microprogrammed", "units.intersection.program=mc68020",
+       "units.photometry.number=2", "units.intersection.arithmetic.add.clocks=7"});
+  const Machine& machine = description.machine;
+  const auto& own = unit_of(description, models::UnitKind::intersection).costs;
+  REQUIRE(own);
+  CHECK_FALSE(unit_of(description, models::UnitKind::photometry).costs);
+  const CostTables& tables =
+      machine.unit_tables[static_cast<std::size_t>(models::UnitKind::intersection)];
+  CHECK(tables.arithmetic == "microprogrammed");
+  CHECK(tables.program == "mc68020");
+  CHECK(machine.tables.arithmetic == "motorola_ffp");
+  CHECK(own->operations[static_cast<std::size_t>(firmware::Operation::add)].clocks == 7);
+  CHECK(own->operations[static_cast<std::size_t>(firmware::Operation::multiply)].clocks == 5);
+  CHECK(own->operations[static_cast<std::size_t>(firmware::Operation::leaf)].reads > 0);
+  for (const CostSource& source : tables.sources) {
+    CHECK_FALSE(source.text.empty());
+  }
+  const std::string written = write_yaml(write_machine(machine));
+  CHECK(write_yaml(write_machine(read_machine(write_machine(machine)))) == written);
+  const std::string other =
+      configuration(load_text(configuration(description), {"units.intersection.arithmetic.add."
+                                                           "clocks=8"}));
+  CHECK(other != configuration(description));
+  CHECK(configuration(load_text(other, {"units.intersection.arithmetic.add.clocks=7"})) ==
+        configuration(description));
+}
+
+TEST_CASE("cost tables that a unit cannot have are refused with their place") {
+  const auto refused = [](const std::string& tables) {
+    return error_of(with_machine("{name: one, units: {intersection: {" + tables + "}}}"));
+  };
+  CHECK_THAT(
+      refused("arithmetic: microprogrammed"),
+      StartsWith("scene.yaml:4:") && ContainsSubstring("arithmetic is allowed with program"));
+  CHECK_THAT(
+      refused("program: microprogrammed"),
+      StartsWith("scene.yaml:4:") && ContainsSubstring("program is allowed with arithmetic"));
+  CHECK_THAT(refused("program: mc68000, arithmetic: microprogramed"),
+             StartsWith("scene.yaml:4:") && ContainsSubstring("did you mean `microprogrammed`?"));
+  CHECK_THAT(refused("program: mc68000, arithmetic: {name: mine}"),
+             StartsWith("scene.yaml:4:") && ContainsSubstring("is missing"));
+  CHECK_THAT(refused("program: mc68000, arithmetic: ''"), StartsWith("scene.yaml:4:"));
 }
 
 TEST_CASE("parameters of units are listed with their defaults where there are some") {
