@@ -9,6 +9,7 @@ namespace maquette::sim {
 [[nodiscard]] Html summary_section(const RunResults& results);
 [[nodiscard]] Html picture_section(const RunResults& results);
 [[nodiscard]] Html time_section(const RunResults& results);
+[[nodiscard]] Html units_section(const RunResults& results);
 [[nodiscard]] Html bus_section(const RunResults& results);
 [[nodiscard]] Html work_section(const RunResults& results);
 [[nodiscard]] Html machine_section(const RunResults& results);

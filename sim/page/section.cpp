@@ -9,6 +9,7 @@ const std::vector<RunSection>& run_sections() {
       {"summary", "At a glance", summary_section},
       {"picture", "Picture", picture_section},
       {"time", "Where the time goes", time_section},
+      {"units", "Function units", units_section},
       {"bus", "Bus", bus_section},
       {"work", "Rays and work", work_section},
       {"machine", "Machine", machine_section},

@@ -21,6 +21,11 @@ constexpr BoardState k_board_states[] = {{"compute", &BoardStatistics::compute},
                                          {"transfer", &BoardStatistics::transfer},
                                          {"idle", &BoardStatistics::idle}};
 
+/// Until function units had done something; none on a machine without.
+models::Duration wait_for_units(const Statistics& statistics, std::size_t board) {
+  return statistics.units ? statistics.units->boards[board].wait : models::Duration::zero();
+}
+
 Html board_table(const Statistics& statistics) {
   PageTable table{"States of the boards; those of each sum to the frame time",
                   {{"board"},
@@ -31,12 +36,19 @@ Html board_table(const Statistics& statistics) {
                    {"idle s", true},
                    {"computes", true}},
                   {}};
-  for (const BoardStatistics& board : statistics.boards) {
+  if (statistics.units) {
+    table.columns.push_back({"wait for units s", true});
+  }
+  for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
+    const BoardStatistics& board = statistics.boards[i];
     std::vector<std::string> row{board.name, std::to_string(board.pixels)};
     for (const BoardState& state : k_board_states) {
       row.push_back(four_decimals(board.*state.time));
     }
     row.push_back(percent(share_of(in_seconds(board.compute), in_seconds(statistics.frame.time))));
+    if (statistics.units) {
+      row.push_back(four_decimals(wait_for_units(statistics, i)));
+    }
     table.rows.push_back(row);
   }
   return table_element(table);
@@ -57,6 +69,12 @@ Html board_chart(const Statistics& statistics) {
   }
   for (const BoardStatistics& board : statistics.boards) {
     chart.labels.push_back(board.name);
+  }
+  if (statistics.units) {
+    chart.series.push_back({"wait for units", {}, {}});
+    for (std::size_t i = 0; i < statistics.boards.size(); ++i) {
+      chart.series.back().values.push_back(in_seconds(wait_for_units(statistics, i)));
+    }
   }
   return chart_element(chart);
 }
