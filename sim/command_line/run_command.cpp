@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "firmware/arithmetic/stop_request.hpp"
@@ -19,6 +20,7 @@
 #include "sim/command_line/frame_choice.hpp"
 #include "sim/command_line/ram_dump.hpp"
 #include "sim/command_line/run_options.hpp"
+#include "sim/command_line/study_point.hpp"
 #include "sim/command_line/warnings.hpp"
 #include "sim/fields/quantity.hpp"
 #include "sim/fields/time_text.hpp"
@@ -113,12 +115,29 @@ void check_level(const models::BusLevel& level, bool models::BusLevel::*has,
       fmt::format("{}; bus.level {} is allowed with it", what, fmt::join(allowed, " or ")));
 }
 
-Description described(const RunOptions& options) {
+Description loaded(const RunOptions& options) {
   DescriptionSources sources = sources_of(options.common);
   for (const std::string& override_text : overrides_of(options.bus)) {
     sources.overrides.push_back(override_text);
   }
-  Description description = load_description(sources);
+  return load_description(sources);
+}
+
+/// What is to be run; a point of a study names the run directory as well.
+Description described(RunOptions& options) {
+  if (options.common.scene.empty() && options.study.empty()) {
+    throw CLI::RequiredError("SCENE");
+  }
+  Description description;
+  if (options.study.empty()) {
+    description = loaded(options);
+  } else {
+    StudyPoint point = point_of_study(options.study, options.point);
+    description = std::move(point.description);
+    if (options.outdir.empty()) {
+      options.outdir = (std::filesystem::path("runs") / point.name).string();
+    }
+  }
   const models::BusLevel& level = description.machine.parameters.bus.level;
   if (!options.trace.files.empty()) {
     check_level(level, &models::BusLevel::is_exclusive,
@@ -198,7 +217,7 @@ std::size_t bus_masters(const models::MachineParameters& parameters) {
   return masters;
 }
 
-int run(const RunOptions& options, const std::vector<std::string>& command) {
+int run(RunOptions options, const std::vector<std::string>& command) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const auto host_time_s = [start] {

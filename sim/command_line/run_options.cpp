@@ -1,10 +1,33 @@
 #include "sim/command_line/run_options.hpp"
 
 namespace maquette::sim {
+namespace {
+
+/// A point of a study is a whole description: nothing else describes what is run.
+void add_point_options(CLI::App& verb, RunOptions& options) {
+  CLI::Option* point =
+      verb.add_option("--point", options.point, "the point of --sweep to run, from 0")
+          ->type_name("N")
+          ->check(CLI::NonNegativeNumber);
+  CLI::Option* study =
+      verb.add_option("--sweep", options.study,
+                      "run a point of this study, its file or the name of a shipped one, in place "
+                      "of a scene: study.yaml in the directory of a sweep has all of its points")
+          ->type_name("FILE|STUDY");
+  study->needs(point);
+  point->needs(study);
+  for (const char* other : {"SCENE", "--machine", "--set", "--bus", "--quantum"}) {
+    study->excludes(verb.get_option(other));
+  }
+}
+
+}  // namespace
 
 void add_run_options(CLI::App& verb, RunOptions& options) {
   add_common_options(verb, options.common);
-  verb.add_option("--outdir", options.outdir, "run directory (default: runs/NAME-OF-SCENE)")
+  verb.get_option("SCENE")->required(false);
+  verb.add_option("--outdir", options.outdir,
+                  "run directory (default: runs/NAME-OF-SCENE, or runs/STUDY-pointN)")
       ->type_name("DIR");
   verb.add_option(
           "--processor", options.processor,
@@ -18,6 +41,7 @@ void add_run_options(CLI::App& verb, RunOptions& options) {
                   "when it is missing)")
       ->type_name("FILE");
   add_bus_options(verb, options.bus);
+  add_point_options(verb, options);
   verb.add_option("--threads", options.threads,
                   "host threads that synthesise (default: one per processor)")
       ->check(CLI::Range(1, 1024));

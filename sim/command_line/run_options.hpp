@@ -16,6 +16,8 @@ namespace maquette::sim {
 /// What the verb `run` is told.
 struct RunOptions {
   CommonOptions common;
+  std::string study;  ///< whose point is run in place of a scene
+  int point = -1;     ///< of the study
   std::string outdir;
   std::string processor = "counted";
   std::string record;

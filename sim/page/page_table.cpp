@@ -46,7 +46,8 @@ Html table_element(const PageTable& table) {
   const Html whole =
       element("table",
               {{"class", std::string("sortable") + (table.is_long ? " filterable" : "") +
-                             (table.is_plotted ? " plotted" : "")}},
+                             (table.is_plotted ? " plotted" : "") +
+                             (table.is_parallel ? " parallel" : "")}},
               element("caption", table.caption) + head_of(table) + body_of(table));
   return element(
       "div",

@@ -23,6 +23,7 @@ struct PageTable {
   /// Of each cell behind the first of its row, how deep its ground is coloured: 0 to 1. May be
   /// empty.
   std::vector<std::vector<double>> shades = {};
+  bool is_parallel = false;  ///< all columns side by side as well, as parallel coordinates
 };
 
 /// A table that scrolls within the page where it is wider, and that scripts can sort.

@@ -5,6 +5,7 @@
 #include "sim/page/comparison_page.hpp"
 #include "sim/page/run_page.hpp"
 #include "sim/page/study_page.hpp"
+#include "sim/page/sweep_page.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {

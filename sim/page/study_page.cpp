@@ -4,74 +4,19 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
-#include "sim/page/csv.hpp"
-#include "sim/page/data_url.hpp"
 #include "sim/page/figures.hpp"
 #include "sim/page/page.hpp"
 #include "sim/page/page_table.hpp"
+#include "sim/page/study_elements.hpp"
 #include "sim/report/flat_json.hpp"
 #include "sim/report/run_directory.hpp"
-#include "sim/report/table.hpp"
 #include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string name_of(const fs::path& directory) {
-  const fs::path path = directory.lexically_normal();
-  return (path.has_filename() ? path : path.parent_path()).filename().string();
-}
-
-/// The table of a CSV file; a column of numbers is one in which no cell is another text.
-Html csv_element(const std::string& caption, const fs::path& file) {
-  std::vector<std::vector<std::string>> lines = parse_csv(read_file(file), file.string());
-  if (lines.empty()) {
-    return paragraph(caption + ": none.");
-  }
-  PageTable table{caption, {}, {lines.begin() + 1, lines.end()}};
-  table.is_long = true;
-  table.is_plotted = true;
-  for (std::size_t column = 0; column < lines.front().size(); ++column) {
-    const bool is_number = std::all_of(
-        table.rows.begin(), table.rows.end(),
-        [column](const auto& row) { return row[column].empty() || number_in(row[column]); });
-    table.columns.push_back({lines.front()[column], is_number});
-  }
-  return paragraph(fmt::format("{} rows, {} columns.", table.rows.size(), table.columns.size())) +
-         table_element(table);
-}
-
-/// The PNG files of a folder, in the order of their names.
-Html pictures_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".png" && entry.is_regular_file()) {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  Html pictures;
-  for (const fs::path& file : files) {
-    const std::string name = file.stem().string();
-    pictures += element(
-        "figure",
-        void_element("img", {{"alt", name}, {"src", data_url("image/png", read_file(file))}}) +
-            element("figcaption", name));
-  }
-  return pictures;
-}
-
-std::vector<Section> with_pictures(std::vector<Section> sections, const Html& pictures) {
-  if (!pictures.markup.empty()) {
-    sections.push_back({"plots", "Plots", pictures});
-  }
-  return sections;
-}
 
 /// A value of stability and its bound, and the share of the bound that it takes; 2 where it is
 /// broken.
@@ -96,21 +41,14 @@ BoundRow bound_row(const nlohmann::json& row) {
 
 }  // namespace
 
-std::string sweep_page(const fs::path& directory) {
-  return page(name_of(directory) + ": a sweep",
-              with_pictures({{"points", "Points",
-                              csv_element("Points of the sweep", directory / "table.csv")}},
-                            pictures_in(directory / "plots")));
-}
-
 std::string accuracy_page(const fs::path& directory) {
   return page(
-      name_of(directory) + ": error against run time",
-      with_pictures(
+      study_name(directory) + ": error against run time",
+      with_plots(
           {{"errors", "Errors", csv_element("Errors of every level", directory / "accuracy.csv")},
            {"times", "Times of the host",
             csv_element("What every level costs the host", directory / "host_times.csv")}},
-          pictures_in(directory) + pictures_in(directory / "plots")));
+          {directory, directory / "plots"}));
 }
 
 std::string stability_page(const fs::path& directory) {
@@ -144,7 +82,7 @@ std::string stability_page(const fs::path& directory) {
   for (const BoundRow& row : rows) {
     table.rows.push_back(row.cells);
   }
-  return page(name_of(directory) + ": stability", {{"bounds", "Bounds", table_element(table)}});
+  return page(study_name(directory) + ": stability", {{"bounds", "Bounds", table_element(table)}});
 }
 
 }  // namespace maquette::sim

@@ -3,13 +3,11 @@
 #include <filesystem>
 #include <string>
 
-/// Pages of many runs: tables that can be sorted, filtered and plotted, and the plots that are
-/// there.
+/// Pages of what measures the program: tables that can be sorted, filtered and plotted, and the
+/// plots that are there.
 namespace maquette::sim {
 
-/// Of a sweep, also of one that is not complete. Throws DescriptionError, as do the others.
-[[nodiscard]] std::string sweep_page(const std::filesystem::path& directory);
-
+/// The ladder of errors and what every level costs. Throws DescriptionError, as does the other.
 [[nodiscard]] std::string accuracy_page(const std::filesystem::path& directory);
 
 /// The bounds, those first that are broken or nearest to it.

@@ -5,12 +5,11 @@
 #include <vector>
 
 #include "sim/maps/map_reading.hpp"
-#include "sim/page/csv.hpp"
-#include "sim/page/html.hpp"
 #include "sim/report/seconds.hpp"
 #include "sim/report/statistics_json.hpp"
 #include "sim/report/summary.hpp"
 #include "tests/catch.hpp"
+#include "tests/program/page_reader.hpp"
 #include "tests/program/program.hpp"
 #include "tests/sim/page/well_formed.hpp"
 
@@ -31,22 +30,6 @@ std::filesystem::path run_small(const ScratchDirectory& scratch, const std::stri
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   return directory;
-}
-
-std::string report_of(const std::filesystem::path& directory) {
-  const Outcome outcome = run_maquette("report --quiet " + directory.string());
-  INFO(outcome.errors);
-  REQUIRE(outcome.exit_code == 0);
-  CHECK(outcome.output.empty());
-  return content_of(directory / "report.html");
-}
-
-/// The page without its styles and scripts, and with a space for each tag.
-std::string read_by_people(const std::string& page) {
-  const std::string shown =
-      std::regex_replace(page.substr(0, page.find("<script type=\"importmap\"")),
-                         std::regex("<script[^>]*>[^<]*</script>"), " ");
-  return std::regex_replace(shown, std::regex("<[^>]*>"), " ");
 }
 
 /// The numbers in a text, as they are written.
@@ -118,6 +101,38 @@ TEST_CASE("The bars of each board sum to the frame time, those of functions and 
     }
     CHECK(std::abs(sum - in_seconds(statistics.functions.time)) < 1e-9);
   }
+}
+
+TEST_CASE(
+    "The page of a machine with function units tells their states, queues and the bottleneck") {
+  const ScratchDirectory scratch;
+  for (const char* machine : {"intersection-units", "pipeline"}) {
+    INFO(machine);
+    const auto directory = run_small(scratch, "run", std::string("--machine ") + machine);
+    const std::string page = report_of(directory);
+    CHECK(ill_formed(page).empty());
+    const Statistics statistics = statistics_of(directory);
+    REQUIRE(statistics.units);
+    const auto check_sums = [&](const char* chart, std::size_t rows) {
+      const nlohmann::json data = data_of(page, chart);
+      REQUIRE(data["labels"].size() == rows);
+      for (std::size_t row = 0; row < rows; ++row) {
+        double sum = 0;
+        for (const nlohmann::json& state : data["series"]) {
+          sum += state["values"][row].get<double>();
+        }
+        CHECK(std::abs(sum - in_seconds(statistics.frame.time)) < 1e-9);
+      }
+    };
+    check_sums("units-chart-data", statistics.units->units.size());
+    check_sums("boards-chart-data", statistics.boards.size());
+    const std::string shown = read_by_people(page);
+    CHECK_THAT(shown, ContainsSubstring("The bottleneck: " + statistics.units->bottleneck));
+    for (const FunctionUnitStatistics& unit : statistics.units->units) {
+      CHECK_THAT(shown, ContainsSubstring(std::to_string(unit.errands) + " errands, busy"));
+    }
+  }
+  CHECK(report_of(run_small(scratch, "plain")).find("Function units") == std::string::npos);
 }
 
 TEST_CASE("A run writes the same page as a later report, and again the same bytes") {
@@ -231,46 +246,6 @@ TEST_CASE("Several runs stand side by side with what differs") {
   CHECK_THAT(shown, ContainsSubstring("second against first: the pictures are equal."));
   CHECK(std::regex_search(shown, std::regex("third against first: [0-9]+ pixels differ")));
   CHECK(run_maquette("report " + first.string() + " " + scratch.path().string()).exit_code == 2);
-}
-
-TEST_CASE("A sweep's page has every cell of its table") {
-  const ScratchDirectory scratch;
-  const std::string scene = scratch.file("small.yaml", k_small_scene);
-  const std::string directory = (scratch / "sweep").string();
-  const Outcome sweep = run_maquette("sweep " + scene + k_small_frame +
-                                     "--vary processors=1,2 --quiet --outdir " + directory);
-  INFO(sweep.errors);
-  REQUIRE(sweep.exit_code == 0);
-  const std::string page = report_of(directory);
-  CHECK(ill_formed(page).empty());
-  const auto lines = parse_csv(content_of(scratch / "sweep" / "table.csv"), "table.csv");
-  REQUIRE(lines.size() == 3);
-  for (const auto& line : lines) {
-    for (const std::string& cell : line) {
-      CHECK_THAT(page, ContainsSubstring(">" + text(cell).markup + "<"));
-    }
-  }
-  std::ofstream(scratch / "sweep" / "table.csv") << "a,b\n1\n";
-  const Outcome damaged = run_maquette("report " + directory);
-  CHECK(damaged.exit_code == 2);
-  CHECK_THAT(damaged.errors, ContainsSubstring("table.csv:2:1:"));
-}
-
-TEST_CASE("The page of a stability has the nearest bounds first") {
-  const ScratchDirectory scratch;
-  const auto row = [](const char* group, const char* value, const char* bound, const char* holds) {
-    return std::string("{\"scalar\": \"float\", \"group\": \"") + group +
-           "\", \"case\": \"c\", \"counted\": \"n\", \"value\": " + value +
-           ", \"bound\": " + bound + ", \"holds\": " + holds + "}";
-  };
-  (void)scratch.file("stability.json", "{\"rows\": [" + row("far", "1", "10", "true") + "," +
-                                           row("told", "1", "null", "true") + "," +
-                                           row("broken", "11", "10", "false") + "," +
-                                           row("near", "9", "10", "true") + "]}");
-  const std::string shown = read_by_people(report_of(scratch.path()));
-  CHECK(std::regex_search(shown, std::regex("broken[^<]*BROKEN\\s+near[^<]*holds\\s+far")));
-  (void)scratch.file("stability.json", "{\"rows\": [3]}");
-  CHECK(run_maquette("report " + scratch.path().string()).exit_code == 2);
 }
 
 TEST_CASE("What is no whole run directory is refused, and nothing is written") {

@@ -1,11 +1,11 @@
 // The plots: from the data that the page carries to configurations of Chart.js.
 
 const lightColours = {
-  ink: "#1a1a1a", line: "#d4d4d4", ground: "#ffffff",
+  ink: "#1a1a1a", line: "#d4d4d4", ground: "#ffffff", scale: [0, 0.8],
   series: ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#b8860b", "#56b4e9"],
 };
 const darkColours = {
-  ink: "#ececec", line: "#3c3f44", ground: "#16181b",
+  ink: "#ececec", line: "#3c3f44", ground: "#16181b", scale: [0.3, 1],
   series: ["#56b4e9", "#f0a35e", "#4fc7a4", "#e3a7c7", "#f0e442", "#8fb7ff"],
 };
 const pointStyles = ["circle", "rect", "triangle", "rectRot", "cross", "star"];

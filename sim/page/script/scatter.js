@@ -1,5 +1,6 @@
 // Any column of a table over any other, as marks; filtered rows are left out.
 import { colours, configuration } from "#charts";
+import { choosePointSoon } from "#points";
 import { quantity } from "#tables";
 
 // The columns that hold numbers in every row that says anything, and not the same everywhere.
@@ -19,10 +20,18 @@ export function firstAxes(headings, columns) {
   return [x, named(/^frame\.time_s/) ?? named(/error/) ?? others[0]];
 }
 
+// The configuration of Chart.js for such a chart: a mark that is chosen is larger, and one that is clicked gets chosen.
+export function withChoice(configuration, points, chosen, onChosen) {
+  const [marks] = configuration.data.datasets;
+  marks.pointRadius = points.map(({ name }) => (name === chosen ? 10 : 5));
+  configuration.options.onClick = (event, hits) => hits.length > 0 && onChosen(points[hits[0].index].name);
+  return configuration;
+}
+
 // The chart of one column over another; each mark is called by the first cells of its row.
 export function scatterOf(headings, rows, x, y, isLogarithmic) {
   const points = rows
-    .map((row) => ({ x: quantity(row[x]), y: quantity(row[y]), label: row.slice(0, 3).join(" ") }))
+    .map((row) => ({ x: quantity(row[x]), y: quantity(row[y]), label: row.slice(0, 3).join(" "), name: row[0] }))
     .filter((point) => point.x !== null && point.y !== null);
   return { kind: "scatter", x_title: headings[x], y_title: headings[y],
            logarithmic_x: isLogarithmic, logarithmic_y: isLogarithmic, labels: [],
@@ -64,15 +73,17 @@ function addScatter(table, document, window) {
   plot.append(canvas);
   table.parentElement.before(controls, plot);
   const dark = window.matchMedia("(prefers-color-scheme: dark)");
-  let drawn = null;
+  let [drawn, chosen] = [null, ""];
   const draw = () => {
     drawn?.destroy();
     const chart = scatterOf(headings, shownRows(), Number(x.value), Number(y.value), log.checked);
     canvas.setAttribute("aria-label", `${chart.y_title} over ${chart.x_title}. The table below has it.`);
-    drawn = new window.Chart(canvas, configuration(chart, colours(dark.matches), (colour) => colour));
+    drawn = new window.Chart(canvas, withChoice(configuration(chart, colours(dark.matches), (colour) => colour),
+                                                chart.series[0].points, chosen, (name) => choosePointSoon(document, name)));
   };
   for (const control of [x, y, log]) control.addEventListener("change", draw);
   table.addEventListener("filtered", draw);
+  document.addEventListener("point", ({ detail }) => { chosen = detail; draw(); });
   dark.addEventListener("change", draw);
   draw();
 }

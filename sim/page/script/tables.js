@@ -46,6 +46,14 @@ export function matches(cells, headings, filter) {
   });
 }
 
+// Hides a row for one of several reasons, and shows it again once there is none.
+export function hide(row, reason, isHidden) {
+  const reasons = new Set((row.dataset.hiddenBy ?? "").split(" ").filter((each) => each !== ""));
+  if (isHidden) reasons.add(reason); else reasons.delete(reason);
+  row.dataset.hiddenBy = [...reasons].join(" ");
+  row.hidden = reasons.size > 0;
+}
+
 const textsOf = (row) => [...row.cells].map((cell) => cell.textContent);
 
 function sortBy(table, heading, column) {
@@ -75,7 +83,7 @@ function addFilter(table, document) {
   input.type = "search";
   label.append("Rows with ", input);
   input.addEventListener("input", () => {
-    for (const row of table.tBodies[0].rows) row.hidden = !matches(textsOf(row), headings, input.value);
+    for (const row of table.tBodies[0].rows) hide(row, "words", !matches(textsOf(row), headings, input.value));
     table.dispatchEvent(new document.defaultView.Event("filtered"));
   });
   table.parentElement.before(label);
