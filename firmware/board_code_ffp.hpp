@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ffp {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "115da8ac6d5be6fd887398f4103f6778a8d415cc";
+inline constexpr const char* k_firmware_version = "e887477c418db5917e2ecffee6775c85e211b5fe";
 
 inline constexpr CodePiece k_pieces[] = {
     {"converting_program", 0, 78, 0, 2, 40},

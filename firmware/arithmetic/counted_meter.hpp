@@ -18,18 +18,25 @@ namespace maquette::firmware {
 /// So many kinds of primitives have a place, as k_primitive_kind_limit says.
 inline constexpr std::uint32_t k_metered_primitives = 32;
 inline constexpr std::uint32_t k_function_count = k_fixed_function_count + k_metered_primitives;
-inline constexpr std::uint32_t k_ray_kind_count =
-    static_cast<std::uint32_t>(RayKind::shadow) + k_told_lights;
+inline constexpr std::uint32_t k_ray_kind_count = k_ray_kind_limit;
 inline constexpr std::uint32_t k_cell_count = k_ray_kind_count * k_function_count;
 
 /// More rays never wait at once: scenes have at most 1000 in a row.
 inline constexpr std::uint32_t k_waiting_rays = 1024;
 
+/// Calls `visit` with the place of each bit.
+template <class Visit>
+void for_each_bit(std::uint64_t bits, Visit visit) {
+  for (; bits != 0; bits &= bits - 1) {
+    visit(static_cast<std::uint32_t>(__builtin_ctzll(bits)));
+  }
+}
+
 /// What a host thread's `Counted` arithmetic has done since the last reset. Here `add`, `subtract`,
 /// `multiply`, `divide` hold all operations, those with a zero operand too.
 struct CountedMeter {
   /// One struct each, so that compilers know its counts apart and add up what follows in a row.
-  struct alignas(16) Cell {
+  struct alignas(64) Cell {
     std::uint64_t counts[k_operation_count];
   };
 
@@ -38,7 +45,8 @@ struct CountedMeter {
   std::size_t first_of_ray;                 ///< the first one of the present kind of ray
   const LegListener* listener;              ///< to legs, if there is one
   std::uint32_t ray;                        ///< that RayKind
-  std::uint32_t rays_entered;               ///< a bit for each since a listener has cleared them
+  std::uint64_t rays;                       ///< a bit for each since the reset
+  std::uint64_t rays_entered;               ///< a bit for each since a listener has cleared them
   std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
   RayKind shadow_ray;                       ///< towards the light that was asked last
   RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
@@ -59,7 +67,8 @@ struct CountedMeter {
   void enter_ray(std::uint32_t kind) {
     const std::size_t function = cell - first_of_ray;
     ray = kind;
-    rays_entered |= std::uint32_t{1} << kind;
+    rays |= std::uint64_t{1} << kind;
+    rays_entered |= std::uint64_t{1} << kind;
     first_of_ray = std::size_t{kind} * k_function_count;
     cell = first_of_ray + function;
     entered[kind] |= std::uint64_t{1} << function;
@@ -73,15 +82,14 @@ struct CountedMeter {
   /// Calls `visit(cell, counts)` for each cell that may have been counted in.
   template <class Visit>
   void for_each_cell(Visit visit) {
-    for (std::uint32_t kind = 0; kind < k_ray_kind_count; ++kind) {
-      // The cell outside of every function is never entered.
-      std::uint64_t left = entered[kind] | static_cast<std::uint64_t>(kind == 0);
-      for (; left != 0; left &= left - 1) {
-        const std::uint32_t visited =
-            kind * k_function_count + static_cast<std::uint32_t>(__builtin_ctzll(left));
-        visit(visited, cells[visited].counts);
-      }
-    }
+    // Neither the kind of ray nor the cell with which all begins is ever entered.
+    for_each_bit(rays | 1U, [&](std::uint32_t kind) {
+      for_each_bit(entered[kind] | static_cast<std::uint64_t>(kind == 0),
+                   [&](std::uint32_t function) {
+                     const std::uint32_t visited = kind * k_function_count + function;
+                     visit(visited, cells[visited].counts);
+                   });
+    });
   }
 
   [[nodiscard]] LongWork sum() {
@@ -92,7 +100,7 @@ struct CountedMeter {
     });
     constexpr int k_in_registers = 12;
     static_assert(k_operation_count % k_in_registers == 0);
-    LongWork work{};
+    LongWork work;  // set below, as are the counts of `narrowed`: zeroing takes as long
     for (int first = 0; first < k_operation_count; first += k_in_registers) {
       std::uint64_t sums[k_in_registers]{};
       for (int i = 0; i < end; ++i) {
@@ -114,9 +122,8 @@ struct CountedMeter {
         cell_counts[i] = 0;
       }
     });
-    for (std::uint64_t& functions : entered) {
-      functions = 0;
-    }
+    for_each_bit(rays | 1U, [this](std::uint32_t kind) { entered[kind] = 0; });
+    rays = 0;
     for (ExtentCounts& extent : extents) {
       extent = {};
     }
@@ -132,13 +139,19 @@ static_assert(k_function_count <= 64);
 /// `counted_work`.
 inline thread_local CountedMeter counted_meter{};
 
-/// `counts` with operations on zero operands taken out of their general class.
+/// Takes operations on zero operands out of their general class.
 template <class Counts>
-Counts general_apart(Counts counts) {
+void set_general_apart(Counts& counts) {
   counts[Operation::add] -= counts[Operation::add_zero];
   counts[Operation::subtract] -= counts[Operation::subtract_zero];
   counts[Operation::multiply] -= counts[Operation::multiply_zero];
   counts[Operation::divide] -= counts[Operation::divide_zero];
+}
+
+/// `counts` with operations on zero operands taken out of their general class.
+template <class Counts>
+Counts general_apart(Counts counts) {
+  set_general_apart(counts);
   return counts;
 }
 
@@ -157,7 +170,7 @@ Counts general_apart(Counts counts) {
 
 /// The counts in 32 bits. Throws std::overflow_error when one does not fit.
 inline Work narrowed(const LongWork& counts) {
-  Work work{};
+  Work work;
   std::uint64_t bits = 0;
   for (int i = 0; i < k_operation_count; ++i) {
     work.counts[i] = static_cast<std::uint32_t>(counts.counts[i]);

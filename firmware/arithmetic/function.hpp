@@ -33,8 +33,11 @@ inline constexpr const char* k_function_names[k_fixed_function_count] = {
 /// The kind of a ray; of those towards lights each light has its own, from `shadow` on.
 enum class RayKind : std::uint8_t { primary, reflected, refracted, shadow };
 
+/// So many kinds there are, as many as a word has bits.
+inline constexpr int k_ray_kind_limit = 64;
+
 /// So many lights are told apart; the last of them stands for all that follow it.
-inline constexpr int k_told_lights = 8;
+inline constexpr int k_told_lights = k_ray_kind_limit - static_cast<int>(RayKind::shadow);
 
 constexpr RayKind shadow_of(int light) {
   return static_cast<RayKind>(static_cast<int>(RayKind::shadow) +

@@ -26,8 +26,13 @@ void add(const firmware::ExtentCounts& counts, firmware::ExtentCounts& sum) {
 
 }  // namespace
 
+void FunctionWork::reach(std::size_t ray_kinds) {
+  cells.resize(std::max(cells.size(), ray_kinds * firmware::k_function_count));
+}
+
 void FunctionWork::add(firmware::CountedMeter& meter) {
   meter.for_each_cell([this](std::uint32_t cell, const std::uint64_t* counts) {
+    reach(1 + cell / firmware::k_function_count);
     const firmware::LongWork work = work_of(counts);
     for (std::size_t i = 0; i < cells[cell].size(); ++i) {
       cells[cell][i] += work.counts[i];
@@ -42,7 +47,8 @@ void FunctionWork::add(firmware::CountedMeter& meter) {
 }
 
 void FunctionWork::add(const FunctionWork& other) {
-  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+  reach(other.ray_kinds());
+  for (std::size_t cell = 0; cell < other.cells.size(); ++cell) {
     for (std::size_t i = 0; i < cells[cell].size(); ++i) {
       cells[cell][i] += other.cells[cell][i];
     }
@@ -57,7 +63,8 @@ void FunctionWork::add(const FunctionWork& other) {
 
 namespace {
 
-/// Calls `visit` with each number of the work, in order.
+/// Calls `visit` with each number of the work, in order; those of the cells, of which there may be
+/// more, come last.
 template <class Work, class Visit>
 void for_each_number(Work& work, Visit visit) {
   for (auto& counts : work.extents) {
@@ -65,14 +72,27 @@ void for_each_number(Work& work, Visit visit) {
     visit(counts.hits);
     visit(counts.spared_leaves);
   }
+  for (auto& roots : work.intersection_roots) {
+    visit(roots);
+  }
   for (auto& cell : work.cells) {
     for (auto& count : cell) {
       visit(count);
     }
   }
-  for (auto& roots : work.intersection_roots) {
-    visit(roots);
+}
+
+/// Makes rows as far as the number of a place; false where none may be.
+bool reach_place(std::uint64_t place, FunctionWork& work) {
+  const std::uint64_t before_cells =
+      3 * work.extents.size() + work.intersection_roots.size();  // each extent has three
+  const std::uint64_t row = std::uint64_t{firmware::k_function_count} * firmware::k_operation_count;
+  const std::uint64_t ray = place < before_cells ? 0 : (place - before_cells) / row;
+  if (ray >= firmware::k_ray_kind_count) {
+    return false;
   }
+  work.reach(ray + 1);
+  return true;
 }
 
 }  // namespace
@@ -91,6 +111,9 @@ std::vector<std::uint64_t> numbers_of(const FunctionWork& work) {
 }
 
 bool read_numbers(const std::vector<std::uint64_t>& numbers, FunctionWork& work) {
+  if (!numbers.empty() && !reach_place(numbers[(numbers.size() - 1) / 2 * 2], work)) {
+    return false;
+  }
   std::size_t next = 0;
   std::uint64_t place = 0;
   for_each_number(work, [&](std::uint64_t& number) {

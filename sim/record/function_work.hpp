@@ -13,13 +13,19 @@ namespace maquette::sim {
 struct FunctionWork {
   using Counts = std::array<std::uint64_t, firmware::k_operation_count>;
 
-  std::vector<Counts> cells = std::vector<Counts>(firmware::k_cell_count);
+  /// A row for each kind of ray as far as there are some, at least the first.
+  std::vector<Counts> cells = std::vector<Counts>(firmware::k_function_count);
   std::array<firmware::ExtentCounts, firmware::k_extent_kind_count> extents{};
   std::array<std::uint64_t, firmware::k_root_step_limit + 1> intersection_roots{};  ///< by steps
 
   [[nodiscard]] static std::size_t cell(std::size_t ray, std::size_t function) {
     return ray * firmware::k_function_count + function;
   }
+
+  [[nodiscard]] std::size_t ray_kinds() const { return cells.size() / firmware::k_function_count; }
+
+  /// Makes rows for so many kinds of rays where there are fewer.
+  void reach(std::size_t ray_kinds);
 
   /// Adds what the meter of this thread has counted since its last reset.
   void add(firmware::CountedMeter& meter);

@@ -76,7 +76,7 @@ struct FunctionStatistics {
         field("time_by_function_s", "s", "of it, by function of the process", &Self::by_function),
         field("time_by_ray_s", "", "", &Self::by_ray),
         field("shadow_by_light_s", "s",
-              "of the shadow rays' time, the eighth light and those after it together",
+              "of the shadow rays' time, the 61st light and those after it together",
               &Self::shadow_by_light),
         field("intersection_share", "1", "of the time: rays intersected with primitives",
               &Self::intersection_share),

@@ -47,7 +47,7 @@ std::vector<models::Wide> prices_of(const models::WorkCost& cost) {
   FunctionWork work;
   work.add(firmware::counted_meter);
   std::vector<models::Wide> prices(static_cast<std::size_t>(k_told_function_count));
-  for (std::size_t ray = 0; ray < firmware::k_ray_kind_count; ++ray) {
+  for (std::size_t ray = 0; ray < work.ray_kinds(); ++ray) {
     for (std::size_t function = 0; function < prices.size(); ++function) {
       const FunctionWork::Counts& counts = work.cells[FunctionWork::cell(ray, function)];
       for (std::size_t i = 0; i < counts.size(); ++i) {

@@ -14,8 +14,6 @@ using firmware::RayKind;
 using Counts = FunctionWork::Counts;
 
 /// The preprocessing is no ray; it comes first.
-constexpr std::size_t k_row_count = 1 + firmware::k_ray_kind_count;
-
 constexpr std::size_t row_of(RayKind kind) { return 1 + static_cast<std::size_t>(kind); }
 
 void add(const Counts& counts, std::uint64_t times, Counts& sum) {
@@ -28,12 +26,15 @@ void add(const Counts& counts, std::uint64_t times, Counts& sum) {
 /// ray, a column for each function.
 class WorkTable {
  public:
-  WorkTable(const FrameWork& work, std::size_t boards) : cells_(k_row_count * k_columns) {
-    for (std::size_t ray = 0; ray < firmware::k_ray_kind_count; ++ray) {
-      for (std::size_t function = 0; function < k_columns; ++function) {
-        const std::size_t cell = FunctionWork::cell(ray, function);
-        add(work.preprocessing.cells[cell], boards, cells_[function]);
-        add(work.pixels.cells[cell], 1, cells_[(1 + ray) * k_columns + function]);
+  WorkTable(const FrameWork& work, std::size_t boards)
+      : rows_(1 + work.pixels.ray_kinds()), cells_(rows_ * k_columns) {
+    for (std::size_t function = 0; function < k_columns; ++function) {
+      for (std::size_t ray = 0; ray < work.preprocessing.ray_kinds(); ++ray) {
+        add(work.preprocessing.cells[FunctionWork::cell(ray, function)], boards, cells_[function]);
+      }
+      for (std::size_t ray = 0; ray < work.pixels.ray_kinds(); ++ray) {
+        add(work.pixels.cells[FunctionWork::cell(ray, function)], 1,
+            cells_[(1 + ray) * k_columns + function]);
       }
     }
   }
@@ -41,9 +42,14 @@ class WorkTable {
   static constexpr auto k_columns = static_cast<std::size_t>(k_told_function_count);
 
   [[nodiscard]] const std::vector<Counts>& cells() const { return cells_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
 
+  /// Nothing where there is none.
   [[nodiscard]] Counts row(std::size_t row) const {
     Counts sum{};
+    if (row >= rows_) {
+      return sum;
+    }
     for (std::size_t column = 0; column < k_columns; ++column) {
       add(cells_[row * k_columns + column], 1, sum);
     }
@@ -52,13 +58,14 @@ class WorkTable {
 
   [[nodiscard]] Counts column(std::size_t column) const {
     Counts sum{};
-    for (std::size_t row = 0; row < k_row_count; ++row) {
+    for (std::size_t row = 0; row < rows_; ++row) {
       add(cells_[row * k_columns + column], 1, sum);
     }
     return sum;
   }
 
  private:
+  std::size_t rows_;
   std::vector<Counts> cells_;
 };
 
@@ -121,7 +128,7 @@ void list_work(const WorkTable& table, FunctionStatistics& result) {
   list("reflected", table.row(row_of(RayKind::reflected)), result.work_by_ray);
   list("refracted", table.row(row_of(RayKind::refracted)), result.work_by_ray);
   Counts shadow{};
-  for (std::size_t row = row_of(RayKind::shadow); row < k_row_count; ++row) {
+  for (std::size_t row = row_of(RayKind::shadow); row < table.rows(); ++row) {
     add(table.row(row), 1, shadow);
   }
   list("shadow", shadow, result.work_by_ray);

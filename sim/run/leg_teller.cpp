@@ -16,15 +16,18 @@ constexpr int k_most_words = std::numeric_limits<std::uint16_t>::max();
 /// Calls `visit` with the cell of each function of a kind of ray that has a bit.
 template <class Visit>
 void for_each_cell(std::uint32_t kind, std::uint64_t functions, Visit visit) {
-  for (; functions != 0; functions &= functions - 1) {
-    const auto function = static_cast<std::uint32_t>(__builtin_ctzll(functions));
+  firmware::for_each_bit(functions, [&](std::uint32_t function) {
     visit(std::size_t{kind} * firmware::k_function_count + function);
-  }
+  });
 }
+
+/// All that the meter has counted in since its reset; the first kind is never entered.
+std::uint64_t rays_of_meter() { return counted_meter.rays | 1U; }
 
 /// The next part begins in it without entering it.
 void mark_present_cell() {
   const std::size_t function = counted_meter.cell - counted_meter.first_of_ray;
+  counted_meter.rays |= std::uint64_t{1} << counted_meter.ray;
   counted_meter.entered[counted_meter.ray] |= std::uint64_t{1} << function;
 }
 
@@ -55,12 +58,13 @@ LegTeller::~LegTeller() {
 
 void LegTeller::start() {
   mark_present_cell();
-  for (std::uint32_t kind = 0; kind < firmware::k_ray_kind_count; ++kind) {
+  firmware::for_each_bit(known_rays_ | rays_of_meter(), [this](std::uint32_t kind) {
     for_each_cell(kind, known_[kind] | counted_meter.entered[kind],
                   [this](std::size_t cell) { told_[cell] = counted_meter.cells[cell]; });
     known_[kind] = counted_meter.entered[kind];
-  }
-  counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
+  });
+  known_rays_ = rays_of_meter();
+  counted_meter.rays_entered = std::uint64_t{1} << counted_meter.ray;
   most_words_ = 0;
   parts_.assign(1, {});
   legs_.clear();
@@ -133,12 +137,15 @@ void LegTeller::cut(int handed_out) {
 /// cells that were entered while it was the innermost one, for it returns to no other.
 bool LegTeller::take_work(Part& part, firmware::LongWork& work) {
   std::uint64_t any = 0;
-  for (std::uint32_t rays = counted_meter.rays_entered; rays != 0; rays &= rays - 1) {
-    const auto kind = static_cast<std::uint32_t>(__builtin_ctz(rays));
-    part.cells[kind] |= counted_meter.entered[kind];
+  cells_.resize(std::max(cells_.size(), parts_.size()));
+  Cells& cells = cells_[parts_.size() - 1];
+  firmware::for_each_bit(counted_meter.rays_entered, [&](std::uint32_t kind) {
+    const std::uint64_t before = (part.rays >> kind & 1U) != 0 ? cells[kind] : 0;
+    cells[kind] = before | counted_meter.entered[kind];
+    part.rays |= std::uint64_t{1} << kind;
     entered_[kind] |= counted_meter.entered[kind];
     counted_meter.entered[kind] = 0;
-    for_each_cell(kind, part.cells[kind], [&](std::size_t cell) {
+    for_each_cell(kind, cells[kind], [&](std::size_t cell) {
       const std::uint64_t* const counts = counted_meter.cells[cell].counts;
       std::uint64_t* const told = told_[cell].counts;
       for (std::size_t i = 0; i < firmware::k_operation_count; ++i) {
@@ -148,19 +155,20 @@ bool LegTeller::take_work(Part& part, firmware::LongWork& work) {
         told[i] = counts[i];
       }
     });
-  }
-  counted_meter.rays_entered = std::uint32_t{1} << counted_meter.ray;
+  });
+  counted_meter.rays_entered = std::uint64_t{1} << counted_meter.ray;
   mark_present_cell();
   return any != 0;
 }
 
 /// The meter's own cells as they would be without a teller.
 void LegTeller::give_back() {
-  for (std::uint32_t kind = 0; kind < firmware::k_ray_kind_count; ++kind) {
+  firmware::for_each_bit(rays_of_meter(), [this](std::uint32_t kind) {
     counted_meter.entered[kind] |= entered_[kind];
     known_[kind] |= entered_[kind];
     entered_[kind] = 0;
-  }
+  });
+  known_rays_ |= rays_of_meter();
 }
 
 }  // namespace maquette::sim

@@ -40,7 +40,7 @@ class LegTeller {
     firmware::LegMessages messages{};
     int handed_in = 0;         ///< to whoever does what comes next of it
     std::size_t last_leg = 0;  ///< behind the place of its last one
-    Cells cells{};             ///< in which it may count
+    std::uint64_t rays = 0;    ///< a bit for each kind of which it has cells
   };
 
   void begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages);
@@ -52,11 +52,13 @@ class LegTeller {
 
   firmware::LegListener listener_;
   std::vector<firmware::CountedMeter::Cell>
-      told_;            // counts of all cells, as far as they are in legs
-  Cells known_{};       // of which they are not 0
-  Cells entered_{};     // what has been taken away of the meter's
-  int most_words_ = 0;  // that a leg of the pixel is handed, or hands back
+      told_;                      // counts of all cells, as far as they are in legs
+  Cells known_{};                 // of which they are not 0
+  std::uint64_t known_rays_ = 0;  // kinds of which that may be
+  Cells entered_{};               // what has been taken away of the meter's
+  int most_words_ = 0;            // that a leg of the pixel is handed, or hands back
   std::vector<Part> parts_;
+  std::vector<Cells> cells_;  // in which each of the parts may count, for its kinds of rays
   std::vector<models::PixelLeg> legs_;
 };
 

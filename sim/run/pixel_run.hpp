@@ -47,7 +47,8 @@ class PixelRun {
       since.counts[i] -= before_.counts[i];
       before_.counts[i] = now;
     }
-    result.work = firmware::narrowed(firmware::general_apart(since));
+    firmware::set_general_apart(since);
+    result.work = firmware::narrowed(since);
     return result;
   }
 

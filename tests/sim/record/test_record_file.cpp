@@ -42,6 +42,7 @@ SynthesizedPixel random_pixel(std::mt19937& random) {
 }
 
 void randomise(std::mt19937& random, maquette::sim::FunctionWork& work) {
+  work.reach(1 + random() % maquette::firmware::k_ray_kind_count);
   for (int i = 0; i < 50; ++i) {
     auto& cell = work.cells[random() % work.cells.size()];
     cell[random() % cell.size()] = std::uint64_t{random_count(random)} << (random() % 32);
@@ -84,8 +85,7 @@ bool are_equal(const SynthesizedPixel& a, const SynthesizedPixel& b) {
 }
 
 bool are_equal(const maquette::sim::FunctionWork& a, const maquette::sim::FunctionWork& b) {
-  return a.cells == b.cells && a.intersection_roots == b.intersection_roots &&
-         std::memcmp(&a.extents, &b.extents, sizeof a.extents) == 0;
+  return numbers_of(a) == numbers_of(b);
 }
 
 bool are_equal(const RecordedFrame& a, const RecordedFrame& b) {
