@@ -3,42 +3,24 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <string>
-
-#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
 namespace {
 
 using models::BusAccess;
-using models::Duration;
 using models::Instant;
-
-ShortDuration shortened(Duration duration) {
-  if (duration > ShortDuration::max()) {
-    throw DescriptionError("an access of more than 4 ms does not fit a trace");
-  }
-  return ShortDuration(static_cast<ShortDuration::rep>(duration.count()));
-}
-
-std::uint32_t recorded_address(std::uint64_t address) {
-  if (address > std::numeric_limits<std::uint32_t>::max()) {
-    throw DescriptionError("an address of more than 32 bits does not fit a trace");
-  }
-  return static_cast<std::uint32_t>(address);
-}
 
 RecordedAccess recorded(const BusAccess& access, Instant start) {
   RecordedAccess result;
   result.request = access.request - start;
   result.grant = access.grant - start;
-  result.arbitration = shortened(access.grant - access.decision);
-  result.acknowledge = shortened(access.slave_time);
-  result.duration = shortened(access.end - access.grant);
-  result.address = recorded_address(access.address);
+  result.arbitration = access.grant - access.decision;
+  result.acknowledge = access.slave_time;
+  result.duration = access.end - access.grant;
+  result.address = access.address;
   result.data = access.data;
   result.board = static_cast<std::uint16_t>(access.master);
   result.write = access.write ? 1 : 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,38 +21,23 @@ struct TraceWindow {
   }
 };
 
-/// A span of at most 4 ms.
-using ShortDuration = std::chrono::duration<std::uint32_t, std::pico>;
-
-/// One access to a bus, in 40 bytes. Instants count from the frame's start.
-///
-/// | bytes  | content                                                     |
-/// |--------|-------------------------------------------------------------|
-/// | 0..7   | request                                                     |
-/// | 8..15  | grant: the strobes fall                                     |
-/// | 16..19 | arbitration: how long before the grant it began             |
-/// | 20..23 | acknowledge: how long after the grant the slave answered    |
-/// | 24..27 | duration: how long after the grant the bus was released     |
-/// | 28..31 | address                                                     |
-/// | 32..35 | data                                                        |
-/// | 36..37 | number of the board                                         |
-/// | 38     | write: 1, read: 0                                           |
-/// | 39     | sum of: 1 no answer (bus error), 2 the bus was kept until the arbitration by the
-/// |        | board of the access before, 4 a read-modify-write cycle
+/// One access to a bus, in 56 bytes. Instants count from the frame's start.
 struct RecordedAccess {
   static constexpr std::uint8_t k_unanswered = 1;
   static constexpr std::uint8_t k_kept = 2;
   static constexpr std::uint8_t k_test_and_set = 4;
 
   models::Instant request{};
-  models::Instant grant{};
-  ShortDuration arbitration{};
-  ShortDuration acknowledge{};
-  ShortDuration duration{};
-  std::uint32_t address = 0;
+  models::Instant grant{};         ///< the strobes fall
+  models::Duration arbitration{};  ///< how long before the grant it began
+  models::Duration acknowledge{};  ///< how long after the grant the slave answered
+  models::Duration duration{};     ///< how long after the grant the bus was released
+  std::uint64_t address = 0;
   std::uint32_t data = 0;
-  std::uint16_t board = 0;
-  std::uint8_t write = 0;
+  std::uint16_t board = 0;  ///< its number
+  std::uint8_t write = 0;   ///< 1; a read 0
+  /// Sum of: no answer (bus error), the bus was kept until the arbitration by the board of the
+  /// access before, a read-modify-write cycle.
   std::uint8_t flags = 0;
 
   [[nodiscard]] models::Instant decision() const { return grant - arbitration; }
@@ -62,7 +46,7 @@ struct RecordedAccess {
   [[nodiscard]] bool is_kept() const { return (flags & k_kept) != 0; }
   [[nodiscard]] bool is_test_and_set() const { return (flags & k_test_and_set) != 0; }
 };
-static_assert(sizeof(RecordedAccess) == 40);
+static_assert(sizeof(RecordedAccess) == 56);
 
 /// A board that was traced, whether it had accesses or not.
 struct RecordedBoard {

@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <fstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "sim/report/run_directory.hpp"
 #include "sim/report/seconds.hpp"
+#include "sim/yaml/description_error.hpp"
 
 namespace maquette::sim {
 
@@ -15,13 +18,26 @@ namespace {
 constexpr std::int64_t k_large_bytes = 100'000'000;
 constexpr std::int64_t k_megabyte = 1'000'000;
 
+/// Makes sure that a viewer's file takes the place of none that a user has saved.
+void check_view(const std::filesystem::path& view, std::string_view mark) {
+  std::ifstream file(view);
+  std::string line;
+  if (file && (!std::getline(file, line) || line != mark)) {
+    throw DescriptionError(fmt::format(
+        "{}: is no file that this program wrote; allowed: a trace of another name, or none there",
+        view.string()));
+  }
+}
+
 }  // namespace
 
 TraceFiles::TraceFiles(TraceRequest request) : request_(std::move(request)) {
   for (const std::string& file : request_.files) {
     files_.emplace_back(place_of_result(file, request_.folder));
     if (const std::string view = view_of(file); !view.empty()) {
-      views_.emplace_back(place_of_result(view, request_.folder));
+      const std::filesystem::path place = place_of_result(view, request_.folder);
+      check_view(place, trace_format(file).view_mark);
+      views_.emplace_back(place);
     }
   }
   if (!request_.lines.empty()) {

@@ -22,6 +22,8 @@ struct TraceFormat {
   std::int64_t (*expected_bytes)(const BusRecord& record);
   /// Of a file that is written beside the trace for its viewer; empty: there is none.
   std::string_view view_extension{};
+  /// Its first line, by which such a file is known from one that a user has saved.
+  std::string_view view_mark{};
   /// Writes it; `trace` is the name of the trace.
   void (*write_view)(const BusRecord& record, const std::vector<std::size_t>& boards,
                      const std::string& trace, std::ostream& stream) = nullptr;

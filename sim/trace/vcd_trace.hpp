@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/trace/bus_record.hpp"
@@ -33,8 +34,11 @@ std::int64_t expected_vcd_trace_bytes(const BusRecord& record);
 void write_gtkwave_view(const BusRecord& record, const std::vector<std::size_t>& boards,
                         const std::string& trace, std::ostream& stream);
 
+/// A comment, as the viewer's own files have them.
+inline constexpr std::string_view k_gtkwave_mark = "[*] Written by maquette beside its trace";
+
 /// Value change dumps as a format of trace files.
-inline constexpr TraceFormat k_vcd_trace{".vcd", write_vcd_trace, expected_vcd_trace_bytes, ".gtkw",
-                                         write_gtkwave_view};
+inline constexpr TraceFormat k_vcd_trace{".vcd",  write_vcd_trace, expected_vcd_trace_bytes,
+                                         ".gtkw", k_gtkwave_mark,  write_gtkwave_view};
 
 }  // namespace maquette::sim

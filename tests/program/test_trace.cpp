@@ -29,6 +29,7 @@ const char* const k_machines[] = {
     "--set processors=5 --set bus.arbitration=round_robin --set board.clock='400 MHz'",
     "--set processors=3 --set board.release=block --set board.pixel_write=line",
     "--set processors=2 --set bus.data_width='32 bits' --set bus.arbitration_clocks=0clocks",
+    "--set processors=2 --set bus.clock='1 kHz'",
 };
 
 struct Traced {
@@ -347,7 +348,7 @@ TEST_CASE("the save file beside a VCD names all of its signals, each in the grou
   INFO(outcome.errors);
   REQUIRE(outcome.exit_code == 0);
   const std::string view = content_of(scratch / "run" / "bus.gtkw");
-  CHECK(view.find("[dumpfile] \"bus.vcd\"\n") == 0);
+  CHECK(view.find("\n[dumpfile] \"bus.vcd\"\n") != std::string::npos);
   CHECK(view.find("-board3\n@24\nboard3.board3_state[1:0]\n@28\nboard3.board3_BR_n\n") !=
         std::string::npos);
   for (const auto& [name, values] : VcdReader(content_of(scratch / "run" / "bus.vcd")).signals) {
@@ -356,6 +357,26 @@ TEST_CASE("the save file beside a VCD names all of its signals, each in the grou
            view.find("\n" + name + "[") != std::string::npos));
   }
   CHECK(content_of(scratch / "run" / "manifest.json").find("\"bus.gtkw\"") != std::string::npos);
+}
+
+TEST_CASE("a user's own save file is never replaced, one of the program's is") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  const std::string command = "run " + scene + k_small_frame + "--quiet --outdir " +
+                              (scratch / "run").string() + " --trace " +
+                              (scratch / "bus.vcd").string();
+  CHECK(run_maquette(command).exit_code == 0);
+  const std::string written = content_of(scratch / "bus.gtkw");
+  CHECK(run_maquette(command).exit_code == 0);
+  CHECK(content_of(scratch / "bus.gtkw") == written);
+  for (const std::string& own :
+       {std::string("[dumpfile] \"bus.vcd\"\n"), std::string(), "\n" + written}) {
+    static_cast<void>(scratch.file("bus.gtkw", own));
+    const Outcome outcome = run_maquette(command);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.errors.find("bus.gtkw: is no file that this program wrote") != std::string::npos);
+    CHECK(content_of(scratch / "bus.gtkw") == own);
+  }
 }
 
 TEST_CASE("a chart of a window shows each board's states by their widths, and who has the bus") {

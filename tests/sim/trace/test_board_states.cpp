@@ -22,7 +22,7 @@ BusRecord random_record(std::mt19937& random, Instant end) {
     RecordedAccess access;
     access.request = now + Duration(random() % 50);
     access.grant = access.request + Duration(random() % 20);
-    access.duration = ShortDuration(1 + random() % 30);
+    access.duration = Duration(1 + random() % 30);
     access.board = 1;
     const Instant pause = now + Duration(random() % ((access.request - now).count() + 1));
     record.pauses[1].push_back(
