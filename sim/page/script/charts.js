@@ -145,7 +145,7 @@ export function drawCharts(document, window) {
     });
   });
   const draw = (isDark) => {
-    drawn.forEach((chart) => chart.destroy());
+    for (const chart of drawn) chart.destroy();
     drawn = figures.map((figure) => drawChart(figure, window, colours(isDark)));
   };
   dark.addEventListener("change", () => draw(dark.matches));

@@ -1,6 +1,6 @@
 // A point of a sweep, chosen in its table, in a plot or by its name: what it varies, what came of it, how it runs again.
 
-const valueOf = (headings, cells, name) => cells[headings.findIndex((heading) => heading === name)];
+const cellOf = (headings, cells, name) => cells[headings.findIndex((heading) => heading === name)];
 
 // What a row of the table says of its point: varied parameters stand before the status, results behind it.
 export function factsOf(headings, cells) {
@@ -10,8 +10,8 @@ export function factsOf(headings, cells) {
   return {
     name: cells[0],
     varied: pairs.slice(1, status),
-    status: valueOf(headings, cells, "status"),
-    reason: valueOf(headings, cells, "reason") ?? "",
+    status: cellOf(headings, cells, "status"),
+    reason: cellOf(headings, cells, "reason") ?? "",
     results: pairs.slice(status + 2).filter(isTold),
   };
 }
@@ -97,7 +97,7 @@ export function startPoints(document) {
   choice.addEventListener("change", () => choosePoint(document, choice.value));
   document.addEventListener("point", ({ detail }) => {
     choice.value = detail;
-    rows.forEach((row) => row.classList.toggle("chosen", row.cells[0].textContent === detail));
+    for (const row of rows) row.classList.toggle("chosen", row.cells[0].textContent === detail);
     const chosen = facts.find(({ name }) => name === detail);
     if (chosen !== undefined) show(shown, chosen, section.dataset.command, document);
   });

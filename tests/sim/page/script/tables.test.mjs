@@ -26,7 +26,10 @@ test("sorting keeps equal rows in their order, both ways", () => {
 
 test("sorting is a permutation that holds the order, for many random columns", () => {
   let seed = 5;
-  const random = (count) => (seed = (seed * 48271) % 2147483647) % count;
+  const random = (count) => {
+    seed = (seed * 48271) % 2147483647;
+    return seed % count;
+  };
   for (let round = 0; round < 200; ++round) {
     const rows = Array.from({ length: random(30) }, () => [String(random(20) - 10)]);
     const order = sortedOrder(rows, 0, true);
