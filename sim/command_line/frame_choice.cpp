@@ -4,6 +4,9 @@
 
 #include <utility>
 
+#include "sim/page/run_page.hpp"
+#include "sim/page/sequence_page.hpp"
+#include "sim/page/study_elements.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/report/remark.hpp"
 #include "sim/report/result_directory.hpp"
@@ -25,7 +28,6 @@ void refuse_of_one_frame(const RunOptions& options) {
       {!options.shown_snapshots.empty(), "--snapshot-shown"},
       {!options.maps.empty(), "--map"},
       {!options.dumped_boards.empty(), "--dump-ram"},
-      {options.report, "--report"},
       {!options.trace.files.empty() || !options.trace.lines.empty(), "--trace"}};
   for (const auto& [is_given, option] : of_one) {
     if (is_given) {
@@ -91,6 +93,11 @@ int run_frames(const RunOptions& options, const std::vector<std::string>& comman
   write_files(results.workplace(),
               {{"sequence.json", sequence_json(sequence)},
                {"config.yaml", effective_configuration(description.scene, description.machine)}});
+  if (options.report && !sequence.frames.empty()) {
+    write_files(results.workplace(),
+                {{k_page_name,
+                  sequence_page(results.workplace(), study_name(directory), data_directory())}});
+  }
   results.publish(manifest_of(command, description.input_files, host_time_s()));
   if (!options.quiet) {
     fmt::print("{}\nwritten: {}\n", summarise_sequence(sequence), directory.string());

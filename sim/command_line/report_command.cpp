@@ -29,7 +29,7 @@ void check_output(const std::string& output, const std::vector<std::string>& dir
     std::vector<InputFile> inputs;
     for (const char* name :
          {"stats.json", "config.yaml", "frame.png", "manifest.json", "maps.exr", "table.csv",
-          "study.yaml", "accuracy.csv", "host_times.csv", "stability.json"}) {
+          "study.yaml", "accuracy.csv", "host_times.csv", "stability.json", "sequence.json"}) {
       inputs.push_back({(std::filesystem::path(directory) / name).string(), {}});
     }
     check_outputs({{"--output", output}}, inputs, directory);

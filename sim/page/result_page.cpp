@@ -4,6 +4,8 @@
 
 #include "sim/page/comparison_page.hpp"
 #include "sim/page/run_page.hpp"
+#include "sim/page/sequence_page.hpp"
+#include "sim/page/study_elements.hpp"
 #include "sim/page/study_page.hpp"
 #include "sim/page/sweep_page.hpp"
 #include "sim/yaml/description_error.hpp"
@@ -40,6 +42,9 @@ std::string result_page(const std::vector<fs::path>& directories,
     if (fs::is_regular_file(directory / kind.file, error)) {
       return kind.page(directory);
     }
+  }
+  if (std::error_code error; fs::is_regular_file(directory / "sequence.json", error)) {
+    return sequence_page(directory, study_name(directory), data_directory);
   }
   return run_page(read_run_files(directory), data_directory);
 }

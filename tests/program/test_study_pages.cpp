@@ -106,3 +106,41 @@ TEST_CASE("The page of a stability has the nearest bounds first") {
   (void)scratch.file("stability.json", "{\"rows\": [3]}");
   CHECK(run_maquette("report " + scratch.path().string()).exit_code == 2);
 }
+
+TEST_CASE("The page of a sequence has each frame with its times and what it has loaded anew") {
+  const ScratchDirectory scratch;
+  const std::string scene =
+      scratch.file("moving.yaml",
+                   "name: moving\n"
+                   "view: {eye: [4, -6, 3], target: [0, 0, 0.5], field_of_view: 30 deg}\n"
+                   "lights: {key: {position: [5, -5, 9]}}\n"
+                   "surfaces: {red: {diffuse: [0.8, 0.2, 0.1]}}\n"
+                   "object: {sphere: {radius: 0.5}, surface: red}\n"
+                   "sequence: {frames: 3, vary: {object.sphere.radius: [0.5, 0.8, 0.8]}}\n");
+  const std::string directory = (scratch / "moving").string();
+  const Outcome run =
+      run_maquette("run " + scene + k_small_frame + "--report --quiet --outdir " + directory);
+  INFO(run.errors);
+  REQUIRE(run.exit_code == 0);
+  const std::string page = content_of(scratch / "moving" / "report.html");
+  CHECK(report_of(directory) == page);
+  CHECK(ill_formed(page).empty());
+  const std::string shown = read_by_people(page);
+  const auto sequence = nlohmann::json::parse(content_of(scratch / "moving" / "sequence.json"));
+  double whole = 0;
+  for (const auto& frame : sequence["frames"]) {
+    whole += frame["load_s"].get<double>() + frame["time_s"].get<double>();
+    CHECK_THAT(shown, ContainsSubstring(fmt::format("{:.4f}", frame["time_s"].get<double>())));
+    CHECK_THAT(shown, ContainsSubstring(fmt::format("{:.6f}", frame["load_s"].get<double>())));
+    CHECK_THAT(shown, ContainsSubstring(fmt::format("{:.4f}", whole)));
+  }
+  // The third frame is as the second, and is told to be.
+  const std::regex change(R"(1\s+object\.sphere\.radius\s+0\.5\s+0\.8\s)");
+  CHECK(std::regex_search(shown, change));
+  CHECK_THAT(shown, !ContainsSubstring("2  object."));
+  CHECK_THAT(shown, ContainsSubstring("0.00 %"));
+  std::filesystem::remove(scratch / "moving" / "stats-0001.json");
+  CHECK_THAT(read_by_people(report_of(directory)), ContainsSubstring("1 of 3 frames"));
+  std::filesystem::remove(scratch / "moving" / "frame-0000.png");
+  CHECK(run_maquette("report " + directory).exit_code == 2);
+}
