@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
 #include "sim/command_line/description_tables.hpp"
 #include "sim/command_line/key_help.hpp"
+#include "sim/command_line/parameter_groups.hpp"
 #include "sim/command_line/study_report.hpp"
 #include "sim/command_line/table_output.hpp"
 #include "sim/database/scene_report.hpp"
@@ -33,19 +35,14 @@ struct DescribeOptions {
   TableFormat format = TableFormat::text;
 };
 
-/// The paths of a scene's objects; of many the first ones.
-std::string object_list(const InputFile& scene, bool all) {
-  constexpr std::size_t k_screen = 20;
-  const Table table = object_table(parse_yaml(scene));
-  const std::size_t shown = all ? table.rows.size() : std::min(k_screen, table.rows.size());
-  std::string text = "\nObjects of the scene, as --set and --vary take them\n";
-  for (std::size_t i = 0; i < shown; ++i) {
-    text += fmt::format("  {}  {}\n", table.rows[i][0], table.rows[i][1]);
+/// All parameters of a scene, those of its objects, and of its machine.
+std::string all_parameters(const Description& description) {
+  std::string text = "\n" + scene_parameter_report(description.scene) +
+                     "\nObjects of the scene, as --set and --vary take them\n";
+  for (const auto& row : object_table(parse_yaml(description.input_files.front())).rows) {
+    text += fmt::format("  {}  {}\n", row[0], row[1]);
   }
-  if (shown < table.rows.size()) {
-    text += fmt::format("  and {} more with --all\n", table.rows.size() - shown);
-  }
-  return text;
+  return text + "\n" + machine_report(description.machine);
 }
 
 /// Of a scene, a machine or a study.
@@ -80,11 +77,22 @@ std::string description_text(const DescribeOptions& options) {
   return in_format(
       options.format,
       [&] {
-        return scene_report(description.scene, description.machine) +
-               object_list(description.input_files.front(), options.all) + "\n" +
-               machine_report(description.machine);
+        return wrapped(scene_report(description.scene, description.machine)) +
+               (options.all ? all_parameters(description) : parameter_groups(description));
       },
       [&] { return parameter_table(description); });
+}
+
+std::string explained(const std::string& part, TableFormat format) {
+  return in_format(
+      format, [&] { return key_help(part); }, [&] { return keys_table(part); });
+}
+
+/// The name of a part of descriptions means its keys, unless a file is called so.
+bool names_part(const std::string& name) {
+  const std::vector<std::string> parts = explained_parts();
+  return std::find(parts.begin(), parts.end(), name) != parts.end() &&
+         !std::filesystem::exists(name);
 }
 
 std::string description_of(const DescribeOptions& options) {
@@ -93,12 +101,13 @@ std::string description_of(const DescribeOptions& options) {
         options.format, [] { return describe_statistics() + "\n"; }, statistics_table);
   }
   if (!options.keys.empty()) {
-    return in_format(
-        options.format, [&] { return key_help(options.keys); },
-        [&] { return keys_table(options.keys); });
+    return explained(options.keys, options.format);
   }
   if (options.maps) {
     return in_format(options.format, describe_maps, maps_table);
+  }
+  if (names_part(options.common.scene)) {
+    return explained(options.common.scene, options.format);
   }
   return description_text(options);
 }
@@ -120,18 +129,20 @@ void add_describe_command(CLI::App& program) {
                               fmt::join(explained_parts(), ", ")))
       ->type_name("PART")
       ->excludes(statistics);
-  verb.add_flag("--all", options->all, "list all objects of the scene, not the first ones alone");
+  verb.add_flag("--all", options->all,
+                "list all parameters, of scene and machine, with unit, range, meaning and source, "
+                "not those alone that a scene gives");
   add_format_option(verb, options->format);
   verb.add_flag("--legs", options->legs,
                 "show how the process of the scene's pixels comes apart for machines with function "
                 "units instead")
       ->excludes(statistics)
       ->excludes(verb.get_option("--format"));
-  verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE|STUDY");
+  verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE|STUDY|PART");
   add_footer(verb, {},
              {"maquette describe photo4", "maquette describe photo4 --legs",
               "maquette describe ccett-1984 --format csv", "maquette describe --statistics",
-              "maquette describe --keys revolution"});
+              "maquette describe revolution"});
   verb.callback([options, statistics, &verb] {
     if (!*statistics && !options->maps && options->keys.empty() && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());

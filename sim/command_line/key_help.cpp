@@ -1,5 +1,7 @@
 #include "sim/command_line/key_help.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "sim/machine/cost_fields.hpp"
@@ -198,9 +200,12 @@ std::vector<KeyRow> keys_of_part(const std::string& part) {
 }
 
 std::string key_help(const std::string& part) {
-  if (find_primitive(part) != nullptr) {
+  if (const PrimitiveDescription* primitive = find_primitive(part)) {
+    const std::string example =
+        fmt::format("object: {{{}: {}, surface: red}}", part, primitive->example);
     return text_of("The primitive `" + part + "` of a scene's object tree", keys_of_part(part),
-                   "scenes/primitives/" + part + ".yaml");
+                   example) +
+           "In a scene: scenes/primitives/" + part + ".yaml\n";
   }
   const Part& found = find_part(part);
   return text_of(found.sentence, found.keys(), found.example);

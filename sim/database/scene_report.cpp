@@ -156,9 +156,11 @@ std::string scene_report(const Scene& scene, const Machine& machine) {
                       database.light_count, packed.tree_height);
   text += needs_list(database.needs, program_code(numbers));
   text += "\n" + memory_table(map, machine);
-  text += surface_union_report(packed);
-  text += "\nParameters of the scene\n" + parameter_table(list_parameters(scene));
-  return text;
+  return text + surface_union_report(packed);
+}
+
+std::string scene_parameter_report(const Scene& scene) {
+  return "Parameters of the scene\n" + parameter_table(list_parameters(scene));
 }
 
 std::string machine_report(const Machine& machine) {

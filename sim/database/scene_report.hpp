@@ -8,8 +8,11 @@
 namespace maquette::sim {
 
 /// What a scene needs of the firmware, what was left out and what that saves, and the memory map of
-/// a board that holds it; then the scene's parameters.
+/// a board that holds it.
 std::string scene_report(const Scene& scene, const Machine& machine);
+
+/// Every parameter of a scene with value, default, range and meaning.
+std::string scene_parameter_report(const Scene& scene);
 
 /// Every parameter of a machine with value, default, range, meaning and source, and its cost table.
 std::string machine_report(const Machine& machine);

@@ -144,7 +144,9 @@ LocalFrame frame_of(const AlgebraicShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::algebraic::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription algebraic = described<AlgebraicShape, check_algebraic>("algebraic");
+    PrimitiveDescription algebraic = described<AlgebraicShape, check_algebraic>(
+        "algebraic",
+        "{size: [2, 2, 2], terms: [[2, 0, 0, 1], [0, 2, 0, 1], [0, 0, 2, 1], [0, 0, 0, -1]]}");
     algebraic.recursions = k_recursions;
     return algebraic;
   }();

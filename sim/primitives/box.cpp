@@ -19,7 +19,7 @@ LocalFrame frame_of(const BoxShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::box::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription box = described<BoxShape>("box");
+    PrimitiveDescription box = described<BoxShape>("box", "{size: [1, 2, 0.5]}");
     box.own_turns = OwnTurns::quarters;
     return box;
   }();

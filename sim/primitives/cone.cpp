@@ -45,7 +45,8 @@ LocalFrame frame_of(const ConeShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::cone::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription cone = described<ConeShape, check_cone>("cone");
+    PrimitiveDescription cone =
+        described<ConeShape, check_cone>("cone", "{radius: 0.5, height: 1}");
     cone.own_turns = OwnTurns::all;
     return cone;
   }();

@@ -32,7 +32,8 @@ LocalFrame frame_of(const CylinderShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::cylinder::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription cylinder = described<CylinderShape, check_cylinder>("cylinder");
+    PrimitiveDescription cylinder =
+        described<CylinderShape, check_cylinder>("cylinder", "{radius: 0.5, height: 1}");
     cylinder.own_turns = OwnTurns::all;
     return cylinder;
   }();

@@ -16,7 +16,7 @@ LocalFrame frame_of(const HalfSpaceShape& /*shape*/) {
 template <>
 const PrimitiveDescription& description_of<firmware::half_space::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription half_space = described<HalfSpaceShape>("half_space");
+    PrimitiveDescription half_space = described<HalfSpaceShape>("half_space", "{}");
     half_space.own_turns = OwnTurns::all;
     return half_space;
   }();

@@ -310,8 +310,11 @@ LocalFrame frame_of(const PatchesShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::patches::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription patches =
-        described<PatchesShape, check_patches, why_sheets_are_opaque>("patches");
+    PrimitiveDescription patches = described<PatchesShape, check_patches, why_sheets_are_opaque>(
+        "patches",
+        "{basis: b_spline, grid: {columns: 4}, points: [[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, "
+        "0], [0, 1, 0], [1, 1, 1], [2, 1, 1], [3, 1, 0], [0, 2, 0], [1, 2, 1], [2, 2, 1], [3, 2, "
+        "0], [0, 3, 0], [1, 3, 0], [2, 3, 0], [3, 3, 0]]}");
     patches.recursions = k_recursions;
     return patches;
   }();

@@ -17,7 +17,8 @@ enum class OwnTurns { none, quarters, all };
 /// All that is known of a primitive besides its geometry, which is the firmware's. A shape is what
 /// a scene says of one primitive, a plain struct of a type of its own.
 struct PrimitiveDescription {
-  std::string_view name;  ///< its key in a scene, and its namespace in the firmware
+  std::string_view name;     ///< its key in a scene, and its namespace in the firmware
+  std::string_view example;  ///< a shape that is read, as short as may be
   /// Reads and checks a shape; `what` names it in messages. Throws DescriptionError.
   std::any (*read)(const YamlNode& node, std::string_view what);
   /// The shape with every value written.
@@ -52,12 +53,13 @@ std::string_view is_solid(const Shape& /*shape*/) {
 /// shape that was read and its node and throws DescriptionError. To be evaluated while compiling.
 template <class Shape, void (*check)(const Shape&, const YamlNode&) = accept_any<Shape>,
           std::string_view (*why_opaque)(const Shape&) = is_solid<Shape>>
-constexpr PrimitiveDescription described(std::string_view name) {
+constexpr PrimitiveDescription described(std::string_view name, std::string_view example) {
   if (!has_namespace(name)) {
     throw std::invalid_argument("the program of a board has no such namespace");
   }
   PrimitiveDescription description{};
   description.name = name;
+  description.example = example;
   description.read = [](const YamlNode& node, std::string_view what) {
     Shape shape;
     FieldReader reader{node, what};

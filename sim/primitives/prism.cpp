@@ -146,7 +146,8 @@ LocalFrame frame_of(const PrismShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::prism::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription prism = described<PrismShape, check_prism>("prism");
+    PrimitiveDescription prism = described<PrismShape, check_prism>(
+        "prism", "{height: 1, contours: [{polygon: [[0, 0], [1, 0], [0, 1]]}]}");
     prism.recursions = k_recursions;
     return prism;
   }();

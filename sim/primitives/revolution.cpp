@@ -41,7 +41,8 @@ LocalFrame frame_of(const RevolutionShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::revolution::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription revolution = described<RevolutionShape, check_revolution>("revolution");
+    PrimitiveDescription revolution = described<RevolutionShape, check_revolution>(
+        "revolution", "{points: [[0.5, 0], [0.6, 0.5], [0.2, 1]], curve: interpolating}");
     revolution.own_turns = OwnTurns::all;
     revolution.root_tolerance = firmware::revolution::k_root_tolerance;
     revolution.recursions = k_generatrix_recursions;

@@ -42,7 +42,8 @@ LocalFrame frame_of(const ShellShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::shell::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription shell = described<ShellShape, check_shell, why_shells_are_opaque>("shell");
+    PrimitiveDescription shell = described<ShellShape, check_shell, why_shells_are_opaque>(
+        "shell", "{points: [[0.5, 0], [0.6, 0.5], [0.2, 1]], curve: interpolating}");
     shell.own_turns = OwnTurns::all;
     shell.root_tolerance = firmware::revolution::k_root_tolerance;
     shell.recursions = k_generatrix_recursions;

@@ -46,7 +46,7 @@ LocalFrame frame_of(const SphereShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::sphere::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription sphere = described<SphereShape, check_radii>("sphere");
+    PrimitiveDescription sphere = described<SphereShape, check_radii>("sphere", "{radius: 1}");
     sphere.own_turns = OwnTurns::all;
     return sphere;
   }();

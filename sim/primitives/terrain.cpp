@@ -96,7 +96,8 @@ LocalFrame frame_of(const TerrainShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::terrain::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription terrain = described<TerrainShape, check_terrain>("terrain");
+    PrimitiveDescription terrain = described<TerrainShape, check_terrain>(
+        "terrain", "{levels: 4, size: 2, displacement: 0.3, depth: 0.5}");
     terrain.recursions = k_recursions;
     return terrain;
   }();

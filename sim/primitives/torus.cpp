@@ -42,7 +42,8 @@ LocalFrame frame_of(const TorusShape& shape) {
 template <>
 const PrimitiveDescription& description_of<firmware::torus::Kind>() {
   static constexpr PrimitiveDescription k_description = [] {
-    PrimitiveDescription torus = described<TorusShape, check_radii>("torus");
+    PrimitiveDescription torus =
+        described<TorusShape, check_radii>("torus", "{major_radius: 1, minor_radius: 0.3}");
     torus.own_turns = OwnTurns::all;
     torus.root_tolerance = firmware::torus::k_root_tolerance;
     torus.recursions = k_recursions;

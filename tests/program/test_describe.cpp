@@ -144,6 +144,43 @@ TEST_CASE("a scene of many objects shows the first ones, and all when asked") {
   CHECK_THAT(run_maquette("describe " + scene + " --all").output, ContainsSubstring(last));
 }
 
+TEST_CASE("a scene is described in groups that fit a screen, of what it gives") {
+  const ScratchDirectory scratch;
+  const std::string scene = scratch.file("small.yaml", k_small_scene);
+  for (const std::string options : {"", " --machine m68020", " --set processors=9"}) {
+    const Outcome outcome = run_maquette("describe " + scene + options);
+    REQUIRE(outcome.exit_code == 0);
+    std::istringstream lines(outcome.output);
+    int of_group = 0;
+    for (std::string line; std::getline(lines, line);) {
+      INFO(line);
+      CHECK(line.size() <= 100);
+      of_group = line.empty() ? 0 : of_group + 1;
+      CHECK(of_group <= 24);
+    }
+  }
+  const std::string plain = run_maquette("describe " + scene).output;
+  CHECK_THAT(plain, ContainsSubstring("other than the prototype in nothing"));
+  CHECK_THAT(plain, ContainsSubstring("  view.eye            [0, -6, 3]"));
+  CHECK_THAT(plain, !ContainsSubstring("view.projection"));
+  CHECK_THAT(run_maquette("describe " + scene + " --all").output,
+             ContainsSubstring("view.projection"));
+  CHECK_THAT(run_maquette("describe " + scene + " --set processors=9").output,
+             ContainsSubstring("  processors  9  number of boards"));
+}
+
+TEST_CASE("the name of a part means its keys, unless a file is called so") {
+  for (const std::string& part : parts()) {
+    INFO(part);
+    CHECK(run_maquette("describe " + part).output ==
+          run_maquette("describe --keys " + part).output);
+  }
+  CHECK_THAT(run_maquette(std::string("describe " MAQUETTE_PROJECT_DIRECTORY
+                                      "/scenes/primitives/torus.yaml"))
+                 .output,
+             !ContainsSubstring("Example: "));
+}
+
 TEST_CASE("a study is described with what it varies and the columns that it derives") {
   const Outcome outcome = run_maquette("describe bus_saturation");
   INFO(outcome.errors);

@@ -70,7 +70,7 @@ TEST_CASE("What a scene does not need is left out") {
   REQUIRE(outcome.exit_code == 0);
   const std::size_t at = outcome.output.find("left out:");
   REQUIRE(at != std::string::npos);
-  const std::string left_out = outcome.output.substr(at, outcome.output.find('\n', at) - at);
+  const std::string left_out = outcome.output.substr(at, outcome.output.find("\n\n", at) - at);
   for (const char* name : {"sphere", "cone", "transparency", "metals", "secondary rays"}) {
     INFO(name);
     CHECK(left_out.find(name) != std::string::npos);
