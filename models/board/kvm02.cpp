@@ -130,7 +130,7 @@ void Kvm02::tell_written() {
 
 void Kvm02::dispatch(PixelDispatcher dispatcher) {
   dispatcher_ = std::move(dispatcher);
-  processor_.promise_nothing();
+  processor_.tell(bus_, master_);
   writer_.burst().transaction.follow_up = nullptr;
 }
 

@@ -51,6 +51,13 @@ void Processor::account(const BusTransaction& transaction, Instant end) {
 }
 
 void Processor::pass() {
+  if (seat_) {
+    seat_->bus.promise(seat_->master, kernel_now() + computing_);
+  }
+  pass_computing();
+}
+
+void Processor::pass_computing() {
   sc_core::wait(to_sc_time(computing_));
   states_.compute += computing_;
   computing_ = Duration::zero();
@@ -58,11 +65,40 @@ void Processor::pass() {
 }
 
 void Processor::await(const sc_core::sc_event& event, Duration BoardStatistics::*state) {
+  pause(state, [&] {
+    if (seat_) {
+      seat_->bus.rest(seat_->master);
+    }
+    awaited_ = &event;
+    sc_core::wait(event);
+    awaited_ = nullptr;
+  });
+}
+
+void Processor::wake(sc_core::sc_event& event) {
+  if (seat_ && awaited_ == &event) {
+    seat_->bus.stir(seat_->master);
+  }
+  event.notify(sc_core::SC_ZERO_TIME);
+}
+
+void Processor::linger(Duration span, Duration BoardStatistics::*state) {
+  pause(state, [&] {
+    if (seat_) {
+      seat_->bus.promise(seat_->master, kernel_now() + span);
+    }
+    sc_core::wait(to_sc_time(span));
+    sc_core::wait(sc_core::SC_ZERO_TIME);
+  });
+}
+
+template <class Wait>
+void Processor::pause(Duration BoardStatistics::*state, Wait wait) {
   awaiting_ = state;
   if (observer_) {
     observer_(true, accounted_);
   }
-  sc_core::wait(event);
+  wait();
   awaiting_ = nullptr;
   if (observer_) {
     observer_(false, kernel_now());
@@ -72,7 +108,7 @@ void Processor::await(const sc_core::sc_event& event, Duration BoardStatistics::
 }
 
 void Processor::finish() {
-  pass();
+  pass_computing();
   states_.finished = accounted_;
 }
 

@@ -17,6 +17,7 @@
 #include "models/bus/instant.hpp"
 #include "models/bus/period.hpp"
 #include "models/bus/time_limit.hpp"
+#include "models/bus/versabus.hpp"
 
 namespace maquette::models {
 
@@ -75,18 +76,30 @@ class Processor {
   /// follows up.
   void account(const BusTransaction& transaction, Instant end);
 
-  /// Computes for as long as is due; returns at its end. Only of a processor that does not promise.
+  /// Computes for as long as is due; returns at its end. Only of a processor that tells or does not
+  /// promise.
   void pass();
 
   /// Waits for an event, in a state of its statistics. Only of a processor that has nothing left to
-  /// compute and does not promise.
+  /// compute and tells, or does not promise.
   void await(const sc_core::sc_event& event, Duration BoardStatistics::*state);
+
+  /// Notifies an event for which it may be waiting, in this instant.
+  void wake(sc_core::sc_event& event);
+
+  /// Waits for a span, in a state of its statistics, and for what others do in its last instant.
+  /// Only as `await`.
+  void linger(Duration span, Duration BoardStatistics::*state);
 
   /// When it begins to wait for events, and when it goes on, is shown to `observer`.
   void observe_pauses(PauseObserver observer) { observer_ = std::move(observer); }
 
   /// From now on it does not promise the bus to request as soon as the kernel wakes it.
   void promise_nothing() { promises_ = false; }
+
+  /// From now on it tells its bus, as the master of a number, until when it computes and that it
+  /// waits for events, so that the bus need not wait for it. The bus is kept by reference.
+  void tell(VersaBus& bus, int master) { seat_.emplace(Seat{bus, master}); }
 
   /// Computes for as long as is due: its last work has ended.
   void finish();
@@ -112,6 +125,15 @@ class Processor {
   [[nodiscard]] BoardStatistics statistics(Instant instant) const;
 
  private:
+  struct Seat {
+    VersaBus& bus;
+    int master;
+  };
+
+  void pass_computing();
+  template <class Wait>
+  void pause(Duration BoardStatistics::*state, Wait wait);
+
   WorkCost cost_;
   Period clock_;
   tlm::tlm_base_initiator_socket<>& bus_master_;
@@ -120,6 +142,8 @@ class Processor {
   Instant accounted_{};
   Duration computing_{};
   bool promises_ = true;
+  std::optional<Seat> seat_;  // where it tells
+  const sc_core::sc_event* awaited_ = nullptr;
   Duration BoardStatistics::*awaiting_ = nullptr;  // the state in which it waits for an event
   PauseObserver observer_;
   BoardStatistics states_;

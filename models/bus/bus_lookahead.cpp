@@ -1,5 +1,7 @@
 #include "models/bus/bus_lookahead.hpp"
 
+#include <algorithm>
+
 #include "models/bus/bus_misuse.hpp"
 
 namespace maquette::models {
@@ -9,21 +11,48 @@ void BusLookahead::add_master(const std::string& name) {
   ++computing_;
 }
 
+int BusLookahead::add_bystander() {
+  bystanders_.push_back(k_never);
+  return static_cast<int>(bystanders_.size()) - 1;
+}
+
 void BusLookahead::post(int master, Instant request, Instant now) {
-  leave_computing(at(master), State::requesting, now);
+  leave(at(master), State::requesting, now);
   at(master).instant = request;
 }
 
 void BusLookahead::end(int master, Instant end, bool promised) {
-  Master& one = at(master);
-  one.state = promised ? State::promised : State::computing;
-  one.instant = end;
-  ++(promised ? promised_ : computing_);
+  if (promised) {
+    set_promised(at(master), end);
+  } else {
+    at(master).state = State::computing;
+    ++computing_;
+  }
 }
 
-void BusLookahead::retire(int master, Instant now) {
-  leave_computing(at(master), State::retired, now);
+void BusLookahead::promise(int master, Instant instant, Instant now) {
+  leave(at(master), State::promised, now);
+  set_promised(at(master), instant);
 }
+
+void BusLookahead::rest(int master, Instant now) {
+  if (at(master).state != State::resting) {
+    leave(at(master), State::resting, now);
+  }
+}
+
+void BusLookahead::stir(int master, Instant now) {
+  if (at(master).state == State::resting) {
+    set_promised(at(master), now);
+  }
+}
+
+void BusLookahead::expect(int bystander, Instant instant) {
+  bystanders_[static_cast<std::size_t>(bystander)] = instant;
+  earliest_act_.reset();
+}
+
+void BusLookahead::retire(int master, Instant now) { leave(at(master), State::retired, now); }
 
 void BusLookahead::activate(int master, Instant now) {
   Master& one = at(master);
@@ -37,7 +66,13 @@ void BusLookahead::activate(int master, Instant now) {
   ++computing_;
 }
 
-void BusLookahead::leave_computing(Master& master, State next, Instant now) {
+void BusLookahead::set_promised(Master& master, Instant instant) {
+  master.state = State::promised;
+  master.instant = instant;
+  earliest_act_.reset();
+}
+
+void BusLookahead::leave(Master& master, State next, Instant now) {
   switch (master.state) {
     case State::computing:
       --computing_;
@@ -46,7 +81,10 @@ void BusLookahead::leave_computing(Master& master, State next, Instant now) {
       if (master.instant != now) {
         report_misuse("master " + master.name + " broke its promise to run ahead");
       }
-      --promised_;
+      earliest_act_.reset();
+      break;
+    case State::resting:
+      report_misuse("master " + master.name + " rests until it is stirred");
       break;
     case State::requesting:
     case State::retired:
@@ -54,6 +92,19 @@ void BusLookahead::leave_computing(Master& master, State next, Instant now) {
       break;
   }
   master.state = next;
+}
+
+Instant BusLookahead::find_earliest_act() const {
+  Instant earliest = k_never;
+  for (const Master& master : masters_) {
+    if (master.state == State::promised) {
+      earliest = std::min(earliest, master.instant);
+    }
+  }
+  for (const Instant instant : bystanders_) {
+    earliest = std::min(earliest, instant);
+  }
+  return earliest;
 }
 
 std::optional<Instant> BusLookahead::standing_request(int master) const {

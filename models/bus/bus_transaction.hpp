@@ -19,8 +19,9 @@ struct BusTransaction : tlm::tlm_extension<BusTransaction> {
   std::int64_t longer_gaps = 0;    ///< so many of the first gaps last a tick longer
   std::int64_t item_accesses = 1;  ///< only items of so many accesses have gaps between them
   bool block = false;              ///< the bus is kept from the first access to the last
-  bool runs_ahead = false;  ///< promise: the master posts its next transaction, or retires, in the
-                            ///< kernel instant in which this one ends (the bus saves a wake-up)
+  bool runs_ahead = false;  ///< promise: the master posts its next transaction, or retires, or says
+                            ///< what it does, in the kernel instant in which this one ends (the bus
+                            ///< saves a wake-up)
   bool test_and_set = false;  ///< of a burst that reads: each access is a read-modify-write cycle,
                               ///< which sets the top bit of the first byte under one grant
   Duration modify{};          ///< between its read and its write

@@ -51,6 +51,23 @@ void VersaBus::retire(int master) {
 
 void VersaBus::activate(int master) { masters_.lookahead().activate(master, kernel_now()); }
 
+void VersaBus::promise(int master, Instant instant) {
+  masters_.lookahead().promise(master, instant, kernel_now());
+  engine_->advance();
+}
+
+void VersaBus::rest(int master) {
+  masters_.lookahead().rest(master, kernel_now());
+  engine_->advance();
+}
+
+void VersaBus::stir(int master) { masters_.lookahead().stir(master, kernel_now()); }
+
+void VersaBus::expect(int bystander, Instant instant) {
+  masters_.lookahead().expect(bystander, instant);
+  engine_->advance();
+}
+
 void VersaBus::b_transport(int id, tlm::tlm_generic_payload& burst, sc_core::sc_time& delay) {
   const Instant request = kernel_now() + to_duration(delay);
   masters_.post(id, burst, request);

@@ -50,6 +50,24 @@ class VersaBus : public sc_core::sc_module {
   /// A retired master may request again, from the kernel's present instant on.
   void activate(int master);
 
+  /// The master will request nothing before `instant`, in which it requests, retires, rests or says
+  /// another one.
+  void promise(int master, Instant instant);
+
+  /// The master requests nothing until whatever it waits for stirs it: another master of this bus,
+  /// or a bystander.
+  void rest(int master);
+
+  /// A resting master goes on in the kernel's present instant.
+  void stir(int master);
+
+  /// The number of one that is no master and may stir some.
+  int attach_bystander() { return masters_.lookahead().add_bystander(); }
+
+  /// When the bystander acts next: k_never for not before a master has it act. In that instant it
+  /// says so anew, after it has acted.
+  void expect(int bystander, Instant instant);
+
   /// Every access from now on is shown to `observer`, in the order of time.
   void observe(std::function<void(const BusAccess&)> observer) {
     masters_.observe(std::move(observer));

@@ -43,7 +43,7 @@ void MachineUnits::make_units(std::size_t kind, const MachineAddresses& addresse
                               const sc_core::sc_event& start) {
   const FunctionUnitParameters& parameters = parameters_.units.kinds[kind];
   const std::string kind_name = k_unit_kind_names[kind];
-  groups_[kind] = std::make_unique<UnitGroup>((kind_name + "_units").c_str(), parameters);
+  groups_[kind] = std::make_unique<UnitGroup>((kind_name + "_units").c_str(), parameters, bus_);
   for (int i = 0; i < parameters.number; ++i) {
     const std::size_t number = masters_.size();
     const std::uint64_t base = addresses.unit(number);
@@ -55,6 +55,7 @@ void MachineUnits::make_units(std::size_t kind, const MachineAddresses& addresse
     masters_.push_back(bus_.attach_master(
         unit.bus_master, {unit.name(), unit_place(parameters, parameters_.boards.size(), number),
                           unit.access_law()}));
+    unit.set_master(masters_.back());
     bus_.attach_slave(unit.bus_port, {unit.name(), base, FunctionUnit::address_bytes(parameters)});
   }
 }

@@ -30,6 +30,7 @@ ErrandDesk::ErrandDesk(int board, const Kvm02Parameters& parameters, int in_flig
 }
 
 void ErrandDesk::run(const DispatchedBoard& board) {
+  processor_ = &board.processor;
   while (true) {
     if (!ready_.empty()) {
       Errand& errand = *ready_.front();
@@ -78,12 +79,7 @@ void ErrandDesk::go_on(Errand& errand, const DispatchedBoard& board) {
   const auto kind = static_cast<std::size_t>(errand.hop().kind);
   const Instant asked = kernel_now();
   site_.groups[kind]->ask(errand, grant_);
-  while (kernel_now() == asked) {
-    something_ready_.notify(to_sc_time(k_tick));
-    board.processor.await(something_ready_, &BoardStatistics::wait_unit);
-  }
-  something_ready_.notify(sc_core::SC_ZERO_TIME);  // the decision is taken in this instant
-  board.processor.await(something_ready_, &BoardStatistics::wait_unit);
+  board.processor.linger(k_tick, &BoardStatistics::wait_unit);
   waits_[kind] += kernel_now() - asked;
 }
 
@@ -102,7 +98,7 @@ void ErrandDesk::make_ready(Errand& errand) {
     return std::tie(a_has_none, a->since, a->number) < std::tie(b_has_none, b->since, b->number);
   };
   ready_.insert(std::upper_bound(ready_.begin(), ready_.end(), &errand, before), &errand);
-  something_ready_.notify(sc_core::SC_ZERO_TIME);
+  processor_->wake(something_ready_);
 }
 
 void ErrandDesk::wait_for_units(Processor& processor) {

@@ -62,6 +62,7 @@ class ErrandDesk {
 
   Site site_;
   int board_;
+  Processor* processor_ = nullptr;  // of the board
   PlaceGrant grant_;
   ErrandHome home_;
   Message message_;

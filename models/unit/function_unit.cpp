@@ -22,12 +22,11 @@ FunctionUnit::FunctionUnit(const sc_core::sc_module_name& name,
       message_(site.bus.word_bytes()),
       arrived_("arrived"),
       granted_("granted"),
-      grant_([this](Errand& /*errand*/) { granted_.notify(); }) {
+      grant_([this](Errand& /*errand*/) { processor_.wake(granted_); }) {
   if (parameters.ram_bytes < 0 || parameters.access_time < Duration::zero()) {
     throw std::invalid_argument("RAM and times of a function unit must not be negative");
   }
   bus_port.register_b_transport(this, &FunctionUnit::access);
-  processor_.promise_nothing();
   BusTransaction& sending = message_.burst().transaction;
   sending.gap = processor_.clock().times(board.word_gap_clocks);
   sending.block = keeps_bus(board.release);
@@ -97,7 +96,7 @@ void FunctionUnit::take(Errand& errand) {
   };
   queue_.insert(std::upper_bound(queue_.begin(), queue_.end(), &errand, before), &errand);
   longest_queue_ = std::max(longest_queue_, static_cast<int>(queue_.size()));
-  arrived_.notify(sc_core::SC_ZERO_TIME);
+  processor_.wake(arrived_);
 }
 
 void FunctionUnit::access(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {

@@ -58,6 +58,9 @@ class FunctionUnit : public sc_core::sc_module {
 
   [[nodiscard]] std::uint64_t mailbox() const { return mailbox_; }
 
+  /// Its number on the bus, told before the simulation starts.
+  void set_master(int master) { processor_.tell(site_.bus, master); }
+
   /// As Processor::observe_pauses.
   void observe_pauses(PauseObserver observer) { processor_.observe_pauses(std::move(observer)); }
 

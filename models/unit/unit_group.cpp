@@ -9,8 +9,13 @@
 
 namespace maquette::models {
 
-UnitGroup::UnitGroup(const sc_core::sc_module_name& name, const FunctionUnitParameters& parameters)
-    : sc_module(name), parameters_(parameters), decision_("decision") {
+UnitGroup::UnitGroup(const sc_core::sc_module_name& name, const FunctionUnitParameters& parameters,
+                     VersaBus& bus)
+    : sc_module(name),
+      parameters_(parameters),
+      bus_(bus),
+      bystander_(bus.attach_bystander()),
+      decision_("decision") {
   if (parameters.queue < 1 || parameters.number < 1) {
     throw std::invalid_argument("function units must be there and have places");
   }
@@ -29,19 +34,37 @@ void UnitGroup::ask(Errand& errand, const PlaceGrant& grant) {
   const Request request{&errand, &grant};
   requests_.insert(std::upper_bound(requests_.begin(), requests_.end(), request, before), request);
   ++asked_;
-  decision_.notify(to_sc_time(k_tick));
+  decide_in_a_tick();
 }
 
 void UnitGroup::freed() {
   if (!requests_.empty()) {
-    decision_.notify(to_sc_time(k_tick));
+    decide_in_a_tick();
   }
+}
+
+// Where a decision of this instant is still to come, the bus knows of that one.
+void UnitGroup::decide_in_a_tick() {
+  const bool decides_now = next_decision_ == kernel_now();
+  next_decision_ = kernel_now() + k_tick;
+  decision_.notify(to_sc_time(k_tick));
+  if (!decides_now) {
+    bus_.expect(bystander_, next_decision_);
+  }
+}
+
+void UnitGroup::decide() {
+  meet_requests();
+  if (next_decision_ == kernel_now()) {
+    next_decision_ = k_never;
+  }
+  bus_.expect(bystander_, next_decision_);
 }
 
 // Those that wait for a unit which is full are passed over by those for others. What is asked for
 // or freed in this instant has its own decision, so that the kernel's order of processes is no
 // matter.
-void UnitGroup::decide() {
+void UnitGroup::meet_requests() {
   const auto met = [this](const Request& request) {
     const bool is_new = request.errand->since == kernel_now();
     FunctionUnit* unit = is_new ? nullptr : choose(*request.errand);

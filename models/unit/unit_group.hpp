@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "models/bus/instant.hpp"
+#include "models/bus/versabus.hpp"
 #include "models/unit/errand.hpp"
 #include "models/unit/unit_parameters.hpp"
 #include "models/unit/unit_statistics.hpp"
@@ -22,7 +23,9 @@ using PlaceGrant = std::function<void(Errand& errand)>;
 /// nothing else.
 class UnitGroup : public sc_core::sc_module {
  public:
-  UnitGroup(const sc_core::sc_module_name& name, const FunctionUnitParameters& parameters);
+  /// The bus, whose masters it has go on, is kept by reference.
+  UnitGroup(const sc_core::sc_module_name& name, const FunctionUnitParameters& parameters,
+            VersaBus& bus);
 
   /// Its next unit, kept by reference.
   void add(FunctionUnit& unit) { units_.push_back(&unit); }
@@ -43,13 +46,18 @@ class UnitGroup : public sc_core::sc_module {
     const PlaceGrant* grant;
   };
 
+  void decide_in_a_tick();
   void decide();
+  void meet_requests();
   [[nodiscard]] FunctionUnit* choose(const Errand& errand) const;
 
   FunctionUnitParameters parameters_;
+  VersaBus& bus_;
+  int bystander_;  // of the bus
   std::vector<FunctionUnit*> units_;
   std::vector<Request> requests_;  // in the order in which they are met
   sc_core::sc_event decision_;
+  Instant next_decision_ = k_never;
   std::int64_t asked_ = 0;
   ErrandWait waited_;
 };

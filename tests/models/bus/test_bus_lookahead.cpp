@@ -59,6 +59,39 @@ TEST_CASE("a master that has promised needs no wake-up, and is held to its insta
   CHECK(lookahead.decidable_from(k_ahead, true, k_ahead) <= k_ahead);
 }
 
+TEST_CASE("up to what is promised or expected nothing unknown comes") {
+  BusLookahead lookahead = two_masters();
+  const int bystander = lookahead.add_bystander();
+  lookahead.post(0, k_ahead, k_now);
+  lookahead.promise(1, k_ahead + k_tick, k_now);
+  CHECK(lookahead.decidable_from(k_ahead, true, k_now) <= k_now);
+  CHECK(lookahead.decidable_from(k_ahead + k_tick, true, k_now) == k_never);
+  CHECK(lookahead.known_until(k_now) == k_ahead + k_tick);
+  lookahead.expect(bystander, k_ahead);
+  CHECK(lookahead.decidable_from(k_ahead, true, k_now) == k_never);
+  CHECK(lookahead.decidable_from(k_ahead - k_tick, true, k_now) <= k_now);
+  lookahead.expect(bystander, k_never);
+  CHECK(lookahead.decidable_from(k_ahead, true, k_now) <= k_now);
+  CHECK(is_misuse([&] { lookahead.promise(1, k_ahead, k_now); }));
+  lookahead.promise(1, k_ahead + 2 * k_tick, k_ahead + k_tick);
+  CHECK(lookahead.known_until(k_ahead + k_tick) == k_ahead + 2 * k_tick);
+}
+
+TEST_CASE("a master that rests is not waited for until it is stirred") {
+  BusLookahead lookahead = two_masters();
+  lookahead.post(0, k_ahead, k_now);
+  lookahead.rest(1, k_now);
+  CHECK(lookahead.decidable_from(k_ahead, true, k_now) <= k_now);
+  CHECK(is_misuse([&] { lookahead.post(1, k_now, k_now); }));
+  lookahead.stir(0, k_now);  // it does not rest
+  lookahead.stir(1, k_now);
+  CHECK(lookahead.decidable_from(k_ahead, true, k_now) == k_never);
+  lookahead.rest(1, k_now);
+  lookahead.rest(1, k_ahead);
+  lookahead.stir(1, k_ahead);
+  CHECK_FALSE(is_misuse([&] { lookahead.post(1, k_ahead, k_ahead); }));
+}
+
 TEST_CASE("without its promise a master may post at any instant") {
   BusLookahead lookahead = two_masters();
   lookahead.post(0, k_now, k_now);

@@ -154,7 +154,7 @@ bool same(const BusAccess& a, const BusAccess& b) {
 
 TEST_CASE("looking ahead, computing unknown to the bus, and the law without a kernel agree") {
   constexpr int k_cases = 150;
-  constexpr int k_styles = 4;
+  constexpr int k_styles = 5;
   std::mt19937 generator(1984);
   std::vector<std::vector<BusAccess>> expected;
   std::vector<std::vector<std::unique_ptr<Bench>>> benches(k_cases);

@@ -29,12 +29,13 @@ struct Step {
   tlm::tlm_command command = tlm::TLM_WRITE_COMMAND;
   bool test_and_set = false;  // of one that reads
   Duration modify{};
+  bool one_place = false;  // all words go to one long word
 };
 
 /// How a master spends its compute time: told to the bus as delay, with or without the promise to
 /// run ahead, or waited for in the kernel; or one burst follows up the other without a way through
-/// the kernel.
-enum class Style { promised, annotated, waiting, followed_up };
+/// the kernel; or it is waited for, and its end told to the bus.
+enum class Style { promised, annotated, waiting, followed_up, told };
 
 /// A transaction as its master saw it.
 struct Outcome {
@@ -87,7 +88,7 @@ class Master : public sc_core::sc_module {
  private:
   void run() {
     payload_.set_extension(&transaction_);
-    transaction_.runs_ahead = style_ == Style::promised;
+    transaction_.runs_ahead = style_ == Style::promised || style_ == Style::told;
     if (style_ == Style::followed_up) {
       transaction_.follow_up = [this](Instant end) { return follow_up(end); };
     }
@@ -95,7 +96,10 @@ class Master : public sc_core::sc_module {
     while (next_(step)) {
       load(step);
       sc_core::sc_time delay = to_sc_time(step.compute);
-      if (style_ == Style::waiting) {
+      if (style_ == Style::told) {
+        bus_.promise(id_, kernel_now() + step.compute);
+      }
+      if (style_ == Style::waiting || style_ == Style::told) {
         sc_core::wait(delay);
         delay = sc_core::SC_ZERO_TIME;
       }
@@ -114,6 +118,12 @@ class Master : public sc_core::sc_module {
     transaction_.block = step.block;
     transaction_.test_and_set = step.test_and_set;
     transaction_.modify = step.modify;
+    transaction_.addresses.clear();
+    constexpr unsigned k_long_bytes = 4;
+    for (int i = 0; step.one_place && i < step.accesses; ++i) {
+      const unsigned word = static_cast<unsigned>(i) * bus_.word_bytes();
+      transaction_.addresses.push_back(step.address + word % k_long_bytes);
+    }
     payload_.set_command(step.command);
     payload_.set_address(step.address);
     payload_.set_data_ptr(data_.data());
