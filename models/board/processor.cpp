@@ -7,6 +7,7 @@
 #include "models/board/long_word.hpp"
 #include "models/bus/bus_error.hpp"
 #include "models/bus/kernel_time.hpp"
+#include "models/bus/versabus.hpp"
 
 namespace maquette::models {
 

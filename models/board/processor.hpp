@@ -17,9 +17,10 @@
 #include "models/bus/instant.hpp"
 #include "models/bus/period.hpp"
 #include "models/bus/time_limit.hpp"
-#include "models/bus/versabus.hpp"
 
 namespace maquette::models {
+
+class VersaBus;
 
 /// Whether a processor has nothing to do from an instant on until some event.
 using PauseObserver = std::function<void(bool pauses, Instant from)>;

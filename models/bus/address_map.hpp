@@ -11,6 +11,9 @@ struct AddressRange {
   std::string slave;
   std::uint64_t base;
   std::uint64_t size;
+  /// Each access takes the same time, whenever it comes; it may be told several writes one after
+  /// the other, of those to one address the last alone.
+  bool is_steady = false;
 
   [[nodiscard]] bool contains(std::uint64_t address) const { return address - base < size; }
 };

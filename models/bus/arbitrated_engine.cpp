@@ -1,5 +1,7 @@
 #include "models/bus/arbitrated_engine.hpp"
 
+#include <algorithm>
+
 #include "models/bus/kernel_time.hpp"
 
 namespace maquette::models {
@@ -42,9 +44,41 @@ void ArbitratedEngine::access(const BusGrant& granted) {
                                                    masters[granted.master].access, granted.grant);
   const BusAccess access = masters.access_of(granted, result);
   arbiter_->release(granted, access.end, masters.keeps_bus(access));
-  if (const std::optional<Instant> next = masters.finish(access, result.status)) {
+  std::optional<Instant> next = masters.finish(access, result.status);
+  if (next && !masters.is_observed() && masters.burst(access.master).has_begun()) {
+    next = go_on(access, *next);
+  }
+  if (next) {
     enter(access.master, *next);
   }
+}
+
+// After an access of a burst, those that are alike, as far as nobody else can come. Returns when
+// the next access is requested, which goes its own way; nothing after the last one.
+std::optional<Instant> ArbitratedEngine::go_on(const BusAccess& last, Instant request) {
+  BusMasters& masters = parts_.masters;
+  BurstProgress& burst = masters.burst(last.master);
+  const std::optional<BusSolitude> solitude = arbiter_->solitude();
+  if (!solitude) {
+    return request;
+  }
+  BusAccess first = last;
+  first.request = first.decision = request;
+  first.grant = request + solitude->arbitration;
+  first.end = first.grant + (last.end - last.grant);
+  first.kept = burst.transaction().block;
+  const Duration period = first.end - last.end;
+  const Instant until = std::min(
+      {solitude->until, masters.lookahead().known_until(kernel_now()), Instant{k_longest_run}});
+  const std::int64_t alike = burst.alike();
+  const std::int64_t times = std::min(alike, (until - last.end - k_tick) / period);
+  if (times <= 0 || !parts_.slaves.repeat(burst, times)) {
+    return request;
+  }
+  const Instant last_decision = request + (times - 1) * period;
+  arbiter_->go_on(last_decision, last.end + times * period, first.kept && times < alike);
+  masters.lookahead().decide(last_decision);
+  return masters.repeat(first, times, period);
 }
 
 }  // namespace maquette::models

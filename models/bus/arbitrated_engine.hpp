@@ -10,7 +10,8 @@ namespace maquette::models {
 
 /// The engine of the levels at which an access is one decision of a BusArbiter: it says who has the
 /// bus from when on; the access then goes to its slave, for as long as AccessLaw says. The engine
-/// keeps the bus's own time: BusLookahead says how far it may be ahead of the kernel.
+/// keeps the bus's own time: BusLookahead says how far it may be ahead of the kernel. Accesses of a
+/// burst that are alike, with nobody else there, are done in one go, to the same ticks.
 class ArbitratedEngine : public sc_core::sc_module, public BusEngine {
  public:
   ArbitratedEngine(const sc_core::sc_module_name& name, std::unique_ptr<BusArbiter> arbiter,
@@ -21,6 +22,7 @@ class ArbitratedEngine : public sc_core::sc_module, public BusEngine {
 
  private:
   void access(const BusGrant& granted);
+  [[nodiscard]] std::optional<Instant> go_on(const BusAccess& last, Instant request);
 
   std::unique_ptr<BusArbiter> arbiter_;
   BusParts parts_;

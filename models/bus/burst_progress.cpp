@@ -29,8 +29,16 @@ void BurstProgress::begin(tlm::tlm_generic_payload& burst, const std::string& ma
   burst.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
 }
 
-std::uint64_t BurstProgress::address() const {
-  const auto index = static_cast<std::uint64_t>(transaction_->accesses);
+std::int64_t BurstProgress::alike() const {
+  const bool has_equal_gaps =
+      transaction_->item_accesses == 1 && transaction_->longer_gaps <= transaction_->accesses;
+  return burst_->is_write() && has_equal_gaps ? accesses_ - transaction_->accesses : 0;
+}
+
+std::uint64_t BurstProgress::address() const { return address_after(0); }
+
+std::uint64_t BurstProgress::address_after(std::int64_t accesses) const {
+  const auto index = static_cast<std::uint64_t>(transaction_->accesses + accesses);
   return transaction_->addresses.empty() ? burst_->get_address() + index * word_bytes_
                                          : transaction_->addresses[index];
 }

@@ -26,8 +26,16 @@ class BurstProgress {
   /// The access that is next has ended.
   void pass_access() { ++transaction_->accesses; }
 
+  /// Whether an access of the burst has ended.
+  [[nodiscard]] bool has_begun() const { return transaction_->accesses > 0; }
+
+  /// How many there are from the access that is next on, where they are writes with the same gap
+  /// before each.
+  [[nodiscard]] std::int64_t alike() const;
+
   [[nodiscard]] tlm::tlm_generic_payload& burst() { return *burst_; }
   [[nodiscard]] BusTransaction& transaction() { return *transaction_; }
+  [[nodiscard]] const BusTransaction& transaction() const { return *transaction_; }
 
   /// Of the access that is next: its address, its bytes, and these as the 68000 has them, the first
   /// in the highest place.
@@ -38,8 +46,25 @@ class BurstProgress {
   [[nodiscard]] std::uint32_t word() const;
   [[nodiscard]] unsigned word_bytes() const { return word_bytes_; }
 
+  /// Whether there is no access any more.
+  [[nodiscard]] bool has_ended() const { return transaction_->accesses == accesses_; }
+
   /// Whether others come after the access that is next.
   [[nodiscard]] bool has_more() const { return transaction_->accesses + 1 < accesses_; }
+
+  /// The bytes of the access that is so many after the next one, and its address.
+  [[nodiscard]] unsigned char* bytes_after(std::int64_t accesses) const {
+    return bytes() + static_cast<std::size_t>(accesses) * word_bytes_;
+  }
+  [[nodiscard]] std::uint64_t address_after(std::int64_t accesses) const;
+
+  /// Those from the access that is next on, where they do not follow one another.
+  [[nodiscard]] const std::uint64_t* addresses() const {
+    return transaction_->addresses.data() + transaction_->accesses;
+  }
+
+  /// Whether the addresses of the accesses follow one another.
+  [[nodiscard]] bool is_consecutive() const { return transaction_->addresses.empty(); }
 
   /// The payload in which a slave sees the access that is next, with the instant of its strobe.
   tlm::tlm_generic_payload& access_of_slave(std::uint64_t offset, Instant strobe);

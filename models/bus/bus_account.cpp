@@ -94,6 +94,26 @@ void BusAccount::record(const BusAccess& access, Instant decision) {
   grant_ = access.grant;
 }
 
+void BusAccount::repeat(const BusAccess& first, std::int64_t times, Duration period) {
+  const auto index = static_cast<std::size_t>(first.master);
+  BusMasterStatistics& master = at(first.master);
+  const Duration wait = first.grant - first.request;
+  const Duration transfer = first.end - first.grant;
+  master.transfers += times;
+  master.busy += times * transfer;
+  master.arbitration += times * wait;
+  master.waited += times * wait;
+  master.waits.add(wait, times);
+  if (first.kept) {
+    master.held += times * (period - transfer);
+  }
+  statistics_.waited_for[index][index] += times * wait;
+  pass_queue_time(grant_);
+  statistics_.queue_times[0] += (times - 1) * wait;  // the last one is in the queue
+  queue_known_to_ = first.decision + (times - 1) * period;
+  grant_ = first.grant + (times - 1) * period;
+}
+
 void BusAccount::record_longest_wait(const BusAccess& access) {
   BusMasterStatistics& master = at(access.master);
   const auto& row = standing_[static_cast<std::size_t>(access.master)];

@@ -47,6 +47,10 @@ class BusAccount {
   /// A granted access; the arbitration that gave it the bus began at `decision`.
   void record(const BusAccess& access, Instant decision);
 
+  /// After an access of its own, and with nobody else there, a master does so many that are alike,
+  /// each so much after the one before. The first one waits no longer than the one before them.
+  void repeat(const BusAccess& first, std::int64_t times, Duration period);
+
   /// Everything up to the last grant.
   [[nodiscard]] BusStatistics statistics() const;
 

@@ -111,6 +111,19 @@ std::optional<Instant> BusMasters::finish(const BusAccess& access,
   return complete(access.master, access.end, status);
 }
 
+std::optional<Instant> BusMasters::repeat(const BusAccess& first, std::int64_t times,
+                                          Duration period) {
+  Master& master = at(first.master);
+  account_.repeat(first, times, period);
+  BusTransaction& transaction = master.burst.transaction();
+  transaction.waited += times * (first.grant - first.request);
+  transaction.transferred += times * (first.end - first.grant);
+  transaction.accesses += times;
+  return master.burst.has_ended()
+             ? complete(first.master, first.end + (times - 1) * period, tlm::TLM_OK_RESPONSE)
+             : requested(first.master, first.request + times * period);
+}
+
 std::optional<Instant> BusMasters::requested(int master, Instant request) {
   lookahead_.request_next(master, request);
   return request;

@@ -49,12 +49,19 @@ class BusMasters {
   /// The access that is next, as it went when it was granted so.
   [[nodiscard]] BusAccess access_of(const BusGrant& granted, const AccessResult& result) const;
 
+  /// Whether accesses are shown.
+  [[nodiscard]] bool is_observed() const { return observer_ != nullptr; }
+
   /// Whether the master of an access keeps the bus until its next one.
   [[nodiscard]] bool keeps_bus(const BusAccess& access) const;
 
   /// An access has ended: accounts for it and shows it. Returns when its master requests its next
   /// one; nothing when it has none, because its burst has ended and none follows up.
   std::optional<Instant> finish(const BusAccess& access, tlm::tlm_response_status status);
+
+  /// The next accesses of a burst have ended, so many of them, as BusAccount::repeat has them.
+  /// Returns as `finish`.
+  std::optional<Instant> repeat(const BusAccess& first, std::int64_t times, Duration period);
 
   [[nodiscard]] int count() const { return static_cast<int>(masters_.size()); }
   [[nodiscard]] const BusMaster& operator[](int master) const { return at(master).description; }

@@ -7,6 +7,17 @@
 
 namespace maquette::models {
 
+namespace {
+
+/// Whether an address is one of the two after it, as those of the words of a register are that is
+/// written again and again.
+bool is_overwritten(const std::uint64_t* address, const std::uint64_t* end) {
+  return (address + 1 < end && address[1] == *address) ||
+         (address + 2 < end && address[2] == *address);
+}
+
+}  // namespace
+
 void BusSlaves::attach(tlm::tlm_base_target_socket<>& socket, const AddressRange& range) {
   address_map_.add(range);
   sockets_.bind(socket);
@@ -55,6 +66,43 @@ AccessResult BusSlaves::test_and_set(BurstProgress& burst, const AccessLaw& law,
   const bool is_written = write.status == tlm::TLM_OK_RESPONSE;
   return {until_write + write.duration,
           is_written ? read.slave_time : until_write + write.slave_time, write.status};
+}
+
+bool BusSlaves::repeat(BurstProgress& burst, std::int64_t times) {
+  const int slave = address_map_.find(burst.address_after(-1));
+  const AddressRange& range = address_map_[slave];
+  if (!range.is_steady) {
+    return false;
+  }
+  if (burst.is_consecutive()) {
+    if (!range.contains(burst.address_after(times - 1))) {
+      return false;
+    }
+    write(slave, burst, 0, times);
+    return true;
+  }
+  const std::uint64_t* const first = burst.addresses();
+  const std::uint64_t* const end = first + times;
+  if (!std::all_of(first, end, [&](std::uint64_t address) { return range.contains(address); })) {
+    return false;
+  }
+  for (const std::uint64_t* address = first; address != end; ++address) {
+    if (!is_overwritten(address, end)) {
+      write(slave, burst, address - first, 1);
+    }
+  }
+  return true;
+}
+
+void BusSlaves::write(int slave, BurstProgress& burst, std::int64_t first, std::int64_t accesses) {
+  const auto length = static_cast<unsigned>(accesses * burst.word_bytes());
+  repeated_.set_address(burst.address_after(first) - address_map_[slave].base);
+  repeated_.set_data_ptr(burst.bytes_after(first));
+  repeated_.set_data_length(length);
+  repeated_.set_streaming_width(length);
+  repeated_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  sc_core::sc_time ignored;
+  transport(slave, repeated_, ignored);
 }
 
 unsigned BusSlaves::transport_dbg(tlm::tlm_generic_payload& payload) {

@@ -26,7 +26,9 @@ struct AccessResult {
 class BusSlaves {
  public:
   /// A `timeout` of zero is off.
-  explicit BusSlaves(Duration timeout) : sockets_("slave_sockets"), timeout_(timeout) {}
+  explicit BusSlaves(Duration timeout) : sockets_("slave_sockets"), timeout_(timeout) {
+    repeated_.set_command(tlm::TLM_WRITE_COMMAND);
+  }
 
   /// Binds a slave at a range of addresses. Throws as AddressMap::add.
   void attach(tlm::tlm_base_target_socket<>& socket, const AddressRange& range);
@@ -34,6 +36,10 @@ class BusSlaves {
   /// Does the access of a burst that is next, with its data strobe at `strobe`, by the law of its
   /// master.
   AccessResult access(BurstProgress& burst, const AccessLaw& law, Instant strobe);
+
+  /// Does so many more accesses as the burst's last one, which was answered, in one go. Does
+  /// nothing and returns false unless they all are of its slave, and that one is steady.
+  bool repeat(BurstProgress& burst, std::int64_t times);
 
   /// Has a slave do a transfer, of an address relative to its base.
   void transport(int slave, tlm::tlm_generic_payload& payload, sc_core::sc_time& delay) {
@@ -49,11 +55,13 @@ class BusSlaves {
  private:
   AccessResult transfer(BurstProgress& burst, const AccessLaw& law, Instant strobe,
                         tlm::tlm_command command);
+  void write(int slave, BurstProgress& burst, std::int64_t first, std::int64_t accesses);
   AccessResult test_and_set(BurstProgress& burst, const AccessLaw& law, Instant strobe);
 
   tlm_utils::multi_passthrough_initiator_socket<BusSlaves> sockets_;
   AddressMap address_map_;
   Duration timeout_;
+  tlm::tlm_generic_payload repeated_;
 };
 
 }  // namespace maquette::models

@@ -97,4 +97,17 @@ void QueueingArbiter::release(const BusGrant& granted, Instant end, bool keeps) 
   holder_ = keeps ? granted.master : k_nobody;
 }
 
+std::optional<BusSolitude> QueueingArbiter::solitude() const {
+  if (quantum_ != Duration::zero()) {
+    return std::nullopt;
+  }
+  return BusSolitude{requests_.earliest(), holder_ == k_nobody ? arbitration_ : Duration::zero()};
+}
+
+void QueueingArbiter::go_on(Instant last_decision, Instant last_end, bool keeps) {
+  last_decision_ = last_decision;
+  free_at_ = last_end;
+  holder_ = keeps ? previous_ : k_nobody;
+}
+
 }  // namespace maquette::models

@@ -32,6 +32,8 @@ class QueueingArbiter : public BusArbiter {
   [[nodiscard]] bool heeds_unknown() const override { return !is_in_turn(); }
   BusGrant decide() override;
   void release(const BusGrant& granted, Instant end, bool keeps) override;
+  [[nodiscard]] std::optional<BusSolitude> solitude() const override;
+  void go_on(Instant last_decision, Instant last_end, bool keeps) override;
 
  private:
   [[nodiscard]] bool is_in_turn() const {

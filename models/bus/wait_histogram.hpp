@@ -22,13 +22,13 @@ class WaitHistogram {
     std::int64_t count;
   };
 
-  /// `wait` is not negative.
-  void add(Duration wait) {
+  /// `wait` is not negative, and occurred so many times.
+  void add(Duration wait, std::int64_t times = 1) {
     const std::size_t index = index_of(wait);
     if (index >= waits_.size()) {
       waits_.resize(index + 1);
     }
-    ++waits_[index].count;
+    waits_[index].count += times;
     waits_[index].longest = std::max(waits_[index].longest, wait);
   }
 

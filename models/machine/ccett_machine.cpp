@@ -198,7 +198,7 @@ int CcettMachine::make_board(std::size_t index, const MachineParameters& paramet
   const int master = bus.attach_master(
       board.bus_master, {board.name(), parameters.boards[index], board.access_law()});
   board.set_master(master);
-  bus.attach_slave(board.ram_port, {board.name(), addresses.ram(index), board.ram_bytes()});
+  bus.attach_slave(board.ram_port, {board.name(), addresses.ram(index), board.ram_bytes(), true});
   return master;
 }
 

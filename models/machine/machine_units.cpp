@@ -56,7 +56,8 @@ void MachineUnits::make_units(std::size_t kind, const MachineAddresses& addresse
         unit.bus_master, {unit.name(), unit_place(parameters, parameters_.boards.size(), number),
                           unit.access_law()}));
     unit.set_master(masters_.back());
-    bus_.attach_slave(unit.bus_port, {unit.name(), base, FunctionUnit::address_bytes(parameters)});
+    bus_.attach_slave(unit.bus_port,
+                      {unit.name(), base, FunctionUnit::address_bytes(parameters), true});
   }
 }
 

@@ -41,7 +41,6 @@ void FunctionUnit::run() {
     Errand& errand = next_errand();
     const std::uint32_t results = errand.hop().numbers_out;
     processor_.take_on(errand.hop().time);
-    processor_.pass();
     errand.last_kind = errand.hop().kind;
     ++errand.next;
     hand_on(errand, results);
@@ -73,6 +72,7 @@ void FunctionUnit::hand_on(Errand& errand, std::uint32_t results) {
     errand.home->take_back(errand);
     return;
   }
+  processor_.pass();
   site_.groups[static_cast<std::size_t>(errand.hop().kind)]->ask(errand, grant_);
   while (errand.place == nullptr) {
     processor_.await(granted_, &BoardStatistics::wait_unit);
