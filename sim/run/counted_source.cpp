@@ -25,6 +25,7 @@ constexpr std::size_t k_blocks_ahead = 8;
 CountedSource::CountedSource(const PackedScene<firmware::Counted>& scene, const Machine& machine,
                              int threads, LegsOfPixels legs)
     : told_(legs),
+      apart_(legs_apart_for(machine.parameters.units)),
       threads_(threads),
       arena_(threads),
       areas_([this] { return Area(frame().database); }) {
@@ -107,7 +108,7 @@ void CountedSource::synthesise_from(std::size_t first) {
 
 void CountedSource::synthesise(std::size_t block) {
   const firmware::WorkArea<firmware::Counted> view = areas_.local().view();
-  PixelRun run(by_function_.local(), told_);
+  PixelRun run(by_function_.local(), told_, apart_);
   std::int64_t index = static_cast<std::int64_t>(block) * k_block_pixels;
   for (models::SynthesizedPixel& synthesised : blocks_[block].pixels) {
     synthesised = run.pixel(frame(), view, allotment_->position(index++));

@@ -13,12 +13,14 @@
 #include "sim/database/prepared_scene.hpp"
 #include "sim/machine/machine.hpp"
 #include "sim/run/frame_source.hpp"
+#include "sim/run/leg_teller.hpp"
 
 namespace maquette::sim {
 
 /// Pixels from the native firmware, which counts its work. With several host threads it synthesises
 /// ahead of simulated time; pixels do not depend on one another, so their number changes nothing.
-/// Pixels and their legs are kept from when their block is synthesised until they are taken.
+/// Of the legs those are apart that units of the machine do. Pixels and their legs are kept from
+/// when their block is synthesised until they are taken.
 class CountedSource : public FrameSource, public models::LegSource {
  public:
   /// `threads` is at least 1.
@@ -59,6 +61,7 @@ class CountedSource : public FrameSource, public models::LegSource {
   models::SynthesizedPixel taken_{};  // the last one, whose block may be freed
   std::vector<models::PixelLeg> legs_;
   LegsOfPixels told_;
+  LegsApart apart_;
   int threads_;
   tbb::task_arena arena_;
   tbb::enumerable_thread_specific<Area> areas_;

@@ -86,8 +86,10 @@ std::string table(const LegSums& sums, std::int64_t pixels) {
 }  // namespace
 
 std::string leg_report(const Scene& scene, const Machine& machine, int threads) {
-  CountedSource source(packed_scene<firmware::Counted>(scene, picture_format_of(machine)), machine,
-                       threads, LegsOfPixels::told);
+  Machine without_units = machine;  // so that all legs are told apart
+  without_units.parameters.units = {};
+  CountedSource source(packed_scene<firmware::Counted>(scene, picture_format_of(machine)),
+                       without_units, threads, LegsOfPixels::told);
   const Machine priced =
       is_calibrated(machine) ? with_costs(machine, calibrate(scene, machine)) : machine;
   const std::int64_t pixels = source.useful_zone().pixels();

@@ -33,8 +33,28 @@ void mark_present_cell() {
 
 }  // namespace
 
-LegTeller::LegTeller()
-    : listener_{this,
+LegsApart legs_apart_for(const models::UnitsParameters& units) {
+  if (!models::has_units(units)) {
+    return all_legs_apart();
+  }
+  LegsApart apart{};
+  for (std::size_t kind = 0; kind < units.kinds.size(); ++kind) {
+    for (int stage = 0; stage < models::k_stage_count && units.kinds[kind].number > 0; ++stage) {
+      for (std::uint32_t ray = 0; ray < firmware::k_ray_kind_count; ++ray) {
+        const models::PixelLeg leg{
+            static_cast<models::Stage>(stage), static_cast<firmware::RayKind>(ray), 0, 0, 0, {}};
+        if (models::serves(static_cast<models::UnitKind>(kind), leg)) {
+          apart[static_cast<std::size_t>(stage)] |= std::uint64_t{1} << ray;
+        }
+      }
+    }
+  }
+  return apart;
+}
+
+LegTeller::LegTeller(const LegsApart& apart)
+    : apart_(apart),
+      listener_{this,
                 [](void* self, firmware::Stage stage, int primitive,
                    const firmware::LegMessages& messages) {
                   static_cast<LegTeller*>(self)->begin(stage, primitive, messages);
@@ -82,12 +102,22 @@ const std::vector<models::PixelLeg>& LegTeller::take() {
 }
 
 void LegTeller::begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages) {
+  const bool is_boards = (apart_[static_cast<std::size_t>(stage)] >> counted_meter.ray & 1U) == 0;
+  if (is_boards && parts_.back().is_boards) {
+    ++parts_.back().joined;
+    return;
+  }
   cut(parts_.back().messages.asked);
   parts_.push_back({stage, primitive, static_cast<firmware::RayKind>(counted_meter.ray), messages,
                     messages.given, 0});
+  parts_.back().is_boards = is_boards;
 }
 
 void LegTeller::end() {
+  if (parts_.back().joined > 0) {
+    --parts_.back().joined;
+    return;
+  }
   cut(parts_.back().messages.returned);
   parts_.pop_back();
   parts_.back().handed_in = parts_.back().messages.resumed;

@@ -6,15 +6,32 @@
 
 #include "firmware/arithmetic/counted.hpp"
 #include "models/unit/pixel_leg.hpp"
+#include "models/unit/unit_parameters.hpp"
 
 namespace maquette::sim {
+
+/// Which legs are told apart from those of the board: by stage, a bit for each kind of ray.
+using LegsApart = std::array<std::uint64_t, models::k_stage_count>;
+
+/// All are.
+constexpr LegsApart all_legs_apart() {
+  LegsApart apart{};
+  for (std::uint64_t& rays : apart) {
+    rays = ~std::uint64_t{0};
+  }
+  return apart;
+}
+
+/// Those that units of a machine do; all for one without units.
+[[nodiscard]] LegsApart legs_apart_for(const models::UnitsParameters& units);
 
 /// Tells the legs of the pixels that this thread synthesises while it exists: what is counted from
 /// one marker of the firmware to the next. One a thread. Between `start` and `take` the meter is
 /// not to be asked, nor reset.
 class LegTeller {
  public:
-  LegTeller();
+  /// What is not apart is a part of the board's leg around it.
+  explicit LegTeller(const LegsApart& apart = all_legs_apart());
   LegTeller(const LegTeller&) = delete;
   LegTeller& operator=(const LegTeller&) = delete;
   LegTeller(LegTeller&&) = delete;
@@ -41,6 +58,8 @@ class LegTeller {
     int handed_in = 0;         ///< to whoever does what comes next of it
     std::size_t last_leg = 0;  ///< behind the place of its last one
     std::uint64_t rays = 0;    ///< a bit for each kind of which it has cells
+    bool is_boards = true;     ///< not apart
+    int joined = 0;            ///< parts in it that have begun, are not apart and have not ended
   };
 
   void begin(firmware::Stage stage, int primitive, const firmware::LegMessages& messages);
@@ -50,6 +69,7 @@ class LegTeller {
   bool take_work(Part& part, firmware::LongWork& work);
   void give_back();
 
+  LegsApart apart_;
   firmware::LegListener listener_;
   std::vector<firmware::CountedMeter::Cell>
       told_;                      // counts of all cells, as far as they are in legs

@@ -14,11 +14,12 @@ namespace maquette::sim {
 /// the run ends. In between the thread may count nothing else.
 class PixelRun {
  public:
-  /// The sum is kept by reference.
-  PixelRun(FunctionWork& sum, LegsOfPixels legs) : sum_(sum) {
+  /// The sum is kept by reference. Legs that are told are so as LegTeller has it.
+  PixelRun(FunctionWork& sum, LegsOfPixels legs, const LegsApart& apart = all_legs_apart())
+      : sum_(sum) {
     firmware::reset_counted_work();
     if (legs == LegsOfPixels::told) {
-      teller_.emplace();
+      teller_.emplace(apart);
     }
   }
   PixelRun(const PixelRun&) = delete;
@@ -39,7 +40,7 @@ class PixelRun {
     }
     models::SynthesizedPixel result = pixel_without_work(frame, area, position);
     if (teller_) {
-      legs_ = teller_->take();
+      legs_ = &teller_->take();
     }
     firmware::LongWork since = firmware::counted_meter.sum();
     for (int i = 0; i < firmware::k_operation_count; ++i) {
@@ -52,8 +53,8 @@ class PixelRun {
     return result;
   }
 
-  /// The legs of the last pixel, where they are told.
-  [[nodiscard]] const std::vector<models::PixelLeg>& legs() const { return legs_; }
+  /// The legs of the last pixel, where they are told; valid until the next one.
+  [[nodiscard]] const std::vector<models::PixelLeg>& legs() const { return *legs_; }
 
   /// Adds what was counted to the sum, so that the meter shows what comes next alone.
   void settle() {
@@ -65,7 +66,7 @@ class PixelRun {
  private:
   FunctionWork& sum_;
   std::optional<LegTeller> teller_;
-  std::vector<models::PixelLeg> legs_;
+  const std::vector<models::PixelLeg>* legs_ = nullptr;  // the teller's
   firmware::LongWork before_{};
 };
 

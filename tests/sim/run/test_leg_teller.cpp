@@ -9,6 +9,7 @@
 #include <thread>
 #include <vector>
 
+#include "models/unit/itinerary.hpp"
 #include "sim/run/counted_source.hpp"
 #include "tests/sim/description_files.hpp"
 #include "tests/sim/record/random_legs.hpp"
@@ -123,6 +124,45 @@ TEST_CASE("Telling legs changes nothing else, nor does the number of threads cha
     }
     CHECK(numbers_of(one.work.pixels) == numbers_of(plain.work.pixels));
     CHECK(numbers_of(three.work.pixels) == numbers_of(plain.work.pixels));
+  }
+}
+
+TEST_CASE("Legs that no unit does are one with those of the board around them, to the same hops") {
+  const auto with_units = [](const std::string& scene, unsigned kinds) {
+    Description description = small(scene);
+    for (std::size_t kind = 0; kind < models::k_unit_kind_count; ++kind) {
+      description.machine.parameters.units.kinds[kind].number = kinds >> kind & 1U;
+    }
+    return description;
+  };
+  const auto hops_of = [](const models::Itinerary& itinerary, const std::vector<PixelLeg>& legs) {
+    std::vector<models::Hop> hops;
+    itinerary.make(legs, hops);
+    return hops;
+  };
+  for (const std::string& scene : k_scenes) {
+    const ToldFrame all = frame_of(small(scene), 1, LegsOfPixels::told);
+    for (const unsigned kinds : {1U, 2U, 4U, 8U, 16U, 10U, 15U, 18U, 31U}) {
+      INFO(scene << " with kinds " << kinds);
+      const Description description = with_units(scene, kinds);
+      const models::Itinerary itinerary(description.machine.parameters.board,
+                                        description.machine.parameters.units);
+      const ToldFrame apart = frame_of(description, 1, LegsOfPixels::told);
+      for (std::size_t i = 0; i < all.legs.size(); ++i) {
+        REQUIRE(apart.legs[i].size() <= all.legs[i].size());
+        const std::vector<models::Hop> hops = hops_of(itinerary, apart.legs[i]);
+        const std::vector<models::Hop> expected = hops_of(itinerary, all.legs[i]);
+        REQUIRE(hops.size() == expected.size());
+        for (std::size_t hop = 0; hop < hops.size(); ++hop) {
+          REQUIRE(hops[hop].kind == expected[hop].kind);
+          REQUIRE(hops[hop].time == expected[hop].time);
+          if (hops[hop].kind != models::Hop::k_at_board) {
+            REQUIRE(hops[hop].numbers_in == expected[hop].numbers_in);
+            REQUIRE(hops[hop].numbers_out == expected[hop].numbers_out);
+          }
+        }
+      }
+    }
   }
 }
 
