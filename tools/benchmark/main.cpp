@@ -23,6 +23,7 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"counting", maquette::benchmark::measure_counting},
                                           {"two_threads", maquette::benchmark::measure_two_threads},
                                           {"bus", maquette::benchmark::measure_bus_levels},
+                                          {"units", maquette::benchmark::measure_units},
                                           {"processor", maquette::benchmark::measure_processor},
                                           {"sweep", maquette::benchmark::measure_sweep},
                                           {"revolution", maquette::benchmark::measure_revolution},

@@ -34,6 +34,9 @@ std::vector<Row> measure_two_threads(const Paths& paths);
 /// The same with the bus as lines, against the bus as accesses.
 std::vector<Row> measure_bus_levels(const Paths& paths);
 
+/// The machine with function units against the one without.
+std::vector<Row> measure_units(const Paths& paths);
+
 /// Boards that execute their program, against counted work and what its calibration takes.
 std::vector<Row> measure_processor(const Paths& paths);
 
