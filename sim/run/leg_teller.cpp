@@ -24,6 +24,10 @@ void for_each_cell(std::uint32_t kind, std::uint64_t functions, Visit visit) {
 /// All that the meter has counted in since its reset; the first kind is never entered.
 std::uint64_t rays_of_meter() { return counted_meter.rays | 1U; }
 
+constexpr std::size_t first_cell(std::uint32_t kind) {
+  return std::size_t{kind} * firmware::k_function_count;
+}
+
 /// The next part begins in it without entering it.
 void mark_present_cell() {
   const std::size_t function = counted_meter.cell - counted_meter.first_of_ray;
@@ -63,7 +67,6 @@ LegTeller::LegTeller(const LegsApart& apart)
                   static_cast<LegTeller*>(self)->parts_.back().messages.returned += words;
                 },
                 [](void* self) { static_cast<LegTeller*>(self)->end(); }},
-      told_(firmware::k_cell_count),
       parts_(1) {
   if (counted_meter.listener != nullptr) {
     throw std::logic_error("the legs of a thread have two tellers");
@@ -79,8 +82,10 @@ LegTeller::~LegTeller() {
 void LegTeller::start() {
   mark_present_cell();
   firmware::for_each_bit(known_rays_ | rays_of_meter(), [this](std::uint32_t kind) {
-    for_each_cell(kind, known_[kind] | counted_meter.entered[kind],
-                  [this](std::size_t cell) { told_[cell] = counted_meter.cells[cell]; });
+    firmware::CountedMeter::Cell* const told = told_of(kind);
+    for_each_cell(kind, known_[kind] | counted_meter.entered[kind], [told, kind](std::size_t cell) {
+      told[cell - first_cell(kind)] = counted_meter.cells[cell];
+    });
     known_[kind] = counted_meter.entered[kind];
   });
   known_rays_ = rays_of_meter();
@@ -130,6 +135,14 @@ std::uint16_t LegTeller::words_of(int words) {
   return static_cast<std::uint16_t>(words);
 }
 
+// Most kinds of rays are of lights that no scene has.
+firmware::CountedMeter::Cell* LegTeller::told_of(std::uint32_t kind) {
+  if (told_[kind].empty()) {
+    told_[kind].resize(firmware::k_function_count);
+  }
+  return told_[kind].data();
+}
+
 /// What was counted since the last cut becomes a leg of the innermost part.
 void LegTeller::cut(int handed_out) {
   Part& part = parts_.back();
@@ -175,9 +188,10 @@ bool LegTeller::take_work(Part& part, firmware::LongWork& work) {
     part.rays |= std::uint64_t{1} << kind;
     entered_[kind] |= counted_meter.entered[kind];
     counted_meter.entered[kind] = 0;
+    firmware::CountedMeter::Cell* const row = told_of(kind);
     for_each_cell(kind, cells[kind], [&](std::size_t cell) {
       const std::uint64_t* const counts = counted_meter.cells[cell].counts;
-      std::uint64_t* const told = told_[cell].counts;
+      std::uint64_t* const told = row[cell - first_cell(kind)].counts;
       for (std::size_t i = 0; i < firmware::k_operation_count; ++i) {
         const std::uint64_t more = counts[i] - told[i];
         work.counts[i] += more;

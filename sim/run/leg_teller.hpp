@@ -67,12 +67,13 @@ class LegTeller {
   void cut(int handed_out);
   std::uint16_t words_of(int words);
   bool take_work(Part& part, firmware::LongWork& work);
+  firmware::CountedMeter::Cell* told_of(std::uint32_t kind);
   void give_back();
 
   LegsApart apart_;
   firmware::LegListener listener_;
-  std::vector<firmware::CountedMeter::Cell>
-      told_;                      // counts of all cells, as far as they are in legs
+  std::array<std::vector<firmware::CountedMeter::Cell>, firmware::k_ray_kind_count>
+      told_;                      // counts of all cells, as far as they are in legs, by kind of ray
   Cells known_{};                 // of which they are not 0
   std::uint64_t known_rays_ = 0;  // kinds of which that may be
   Cells entered_{};               // what has been taken away of the meter's
