@@ -266,6 +266,12 @@ void CcettMachine::observe_pauses(
   }
 }
 
+void CcettMachine::observe_handovers(const HandoverObserver& observer) {
+  if (units_) {
+    units_->observe_handovers(observer);
+  }
+}
+
 VideoReader& CcettMachine::watch_video(Duration from, Duration to) {
   video_reader_ = std::make_unique<VideoReader>(
       (std::string(basename()) + "_video_reader").c_str(), video_, frame_memory_.parameters(),

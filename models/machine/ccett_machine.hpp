@@ -106,6 +106,10 @@ class CcettMachine : public sc_core::sc_module {
   void observe_pauses(
       const std::function<void(std::size_t master, bool pauses, Instant from)>& observer);
 
+  /// What boards and function units hand over to one another is shown to `observer`, with numbers
+  /// as in observe_bus. Before the simulation starts.
+  void observe_handovers(const HandoverObserver& observer);
+
   [[nodiscard]] const Kvm02& board(std::size_t number) const { return *boards_[number]; }
   [[nodiscard]] const FrameMemory& frame_memory() const { return frame_memory_; }
   [[nodiscard]] const VideoTiming& video_timing() const { return timing_; }

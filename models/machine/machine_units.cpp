@@ -14,8 +14,8 @@ void check(const MachineParameters& parameters) {
   if (in_flight > most_pixels_in_flight(parameters.units)) {
     throw std::invalid_argument("with so many pixels in flight function units could deadlock");
   }
-  if (parameters.frame_memory.ports > 1 || is_distributed(parameters.frame_memory) ||
-      is_shared(parameters.board.database) || keeps_line(parameters.board.pixel_write)) {
+  if (parameters.frame_memory.ports > 1 || is_shared(parameters.board.database) ||
+      keeps_line(parameters.board.pixel_write)) {
     throw std::invalid_argument(
         "boards with function units have copies of the database and write pixels one by one, over "
         "one backplane");
@@ -49,7 +49,8 @@ void MachineUnits::make_units(std::size_t kind, const MachineAddresses& addresse
     const std::uint64_t base = addresses.unit(number);
     units_[kind].push_back(std::make_unique<FunctionUnit>(
         (kind_name + std::to_string(i)).c_str(), parameters, parameters_.board,
-        FunctionUnit::Site{bus_, base, *groups_[kind], groups_, start}));
+        FunctionUnit::Site{bus_, base, *groups_[kind], groups_, start,
+                           static_cast<int>(parameters_.boards.size() + number), handovers_}));
     FunctionUnit& unit = *units_[kind].back();
     groups_[kind]->add(unit);
     masters_.push_back(bus_.attach_master(
@@ -64,7 +65,7 @@ void MachineUnits::make_units(std::size_t kind, const MachineAddresses& addresse
 void MachineUnits::serve(Kvm02& board, std::uint64_t mailbox) {
   desks_.push_back(std::make_unique<ErrandDesk>(
       static_cast<int>(desks_.size()), parameters_.board, parameters_.units.in_flight,
-      ErrandDesk::Site{bus_, mailbox, groups_, itinerary_, legs_}));
+      ErrandDesk::Site{bus_, mailbox, groups_, itinerary_, legs_, handovers_}));
   board.dispatch([&desk = *desks_.back()](const DispatchedBoard& lent) { desk.run(lent); });
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <systemc>
+#include <utility>
 #include <vector>
 
 #include "models/board/kvm02.hpp"
@@ -37,6 +38,9 @@ class MachineUnits {
   /// The pauses of each unit are shown to what `observer` gives for its place among the masters.
   void observe_pauses(const std::function<PauseObserver(std::size_t)>& observer);
 
+  /// What is handed over is shown to `observer`.
+  void observe_handovers(HandoverObserver observer) { handovers_ = std::move(observer); }
+
   /// Up to here its states are known, perhaps ahead of the kernel.
   [[nodiscard]] Instant accounted() const;
 
@@ -50,6 +54,7 @@ class MachineUnits {
   VersaBus& bus_;
   LegSource& legs_;
   Itinerary itinerary_;
+  HandoverObserver handovers_;
   UnitGroups groups_;
   std::vector<std::vector<std::unique_ptr<FunctionUnit>>> units_;  // by kind
   std::vector<int> masters_;

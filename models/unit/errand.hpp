@@ -46,4 +46,14 @@ struct Errand {
   [[nodiscard]] bool is_at_board() const { return is_done() || hop().kind == Hop::k_at_board; }
 };
 
+/// An errand has gone from one master of the bus to another: boards by their numbers, then units.
+struct Handover {
+  int from;
+  int to;
+  Instant sent;     ///< its message was requested
+  Instant arrived;  ///< and has ended
+};
+
+using HandoverObserver = std::function<void(const Handover&)>;
+
 }  // namespace maquette::models

@@ -86,7 +86,11 @@ void ErrandDesk::go_on(Errand& errand, const DispatchedBoard& board) {
 void ErrandDesk::send(Errand& errand, Processor& processor) {
   message_.address(errand.place->mailbox(), static_cast<std::uint32_t>(errand.number),
                    errand.hop().numbers_in);
+  const Instant sent = processor.now();
   processor.transact(message_.burst());
+  if (site_.handovers) {
+    site_.handovers({board_, errand.place->number(), sent, kernel_now()});
+  }
   errand.place->take(errand);
 }
 

@@ -35,6 +35,7 @@ class ErrandDesk {
     const UnitGroups& groups;
     const Itinerary& itinerary;
     LegSource& legs;
+    const HandoverObserver& handovers;
   };
 
   /// `board` is its number. Throws std::invalid_argument for a board with nothing in flight.

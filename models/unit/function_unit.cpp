@@ -68,7 +68,7 @@ void FunctionUnit::hand_on(Errand& errand, std::uint32_t results) {
   const auto pixel = static_cast<std::uint32_t>(errand.number);
   if (errand.is_at_board()) {
     message_.address(errand.home->mailbox, pixel, results);
-    processor_.transact(message_.burst());
+    send(errand.board);
     errand.home->take_back(errand);
     return;
   }
@@ -78,8 +78,16 @@ void FunctionUnit::hand_on(Errand& errand, std::uint32_t results) {
     processor_.await(granted_, &BoardStatistics::wait_unit);
   }
   message_.address(errand.place->mailbox(), pixel, results + errand.hop().numbers_in);
-  processor_.transact(message_.burst());
+  send(errand.place->number());
   errand.place->take(errand);
+}
+
+void FunctionUnit::send(int to) {
+  const Instant sent = processor_.now();
+  processor_.transact(message_.burst());
+  if (site_.handovers) {
+    site_.handovers({number(), to, sent, kernel_now()});
+  }
 }
 
 int FunctionUnit::places_taken() const {

@@ -39,6 +39,8 @@ class FunctionUnit : public sc_core::sc_module {
     UnitGroup& group;
     const UnitGroups& groups;
     const sc_core::sc_event& start;
+    int number;  ///< of the masters: boards, then units
+    const HandoverObserver& handovers;
   };
 
   /// `board` is what its side of the bus is like.
@@ -57,6 +59,7 @@ class FunctionUnit : public sc_core::sc_module {
   [[nodiscard]] const AccessLaw& access_law() const { return access_law_; }
 
   [[nodiscard]] std::uint64_t mailbox() const { return mailbox_; }
+  [[nodiscard]] int number() const { return site_.number; }
 
   /// Its number on the bus, told before the simulation starts.
   void set_master(int master) { processor_.tell(site_.bus, master); }
@@ -90,6 +93,7 @@ class FunctionUnit : public sc_core::sc_module {
   void run();
   [[nodiscard]] Errand& next_errand();
   void hand_on(Errand& errand, std::uint32_t results);
+  void send(int to);
 
   void access(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
 

@@ -62,6 +62,18 @@ void add_pause(bool pauses, Instant instant, const TraceWindow& window,
   }
 }
 
+void record_handovers(models::CcettMachine& model, BusRecord& record) {
+  model.observe_handovers([&model, &record](const models::Handover& handover) {
+    const Instant start = model.started().value_or(handover.sent);
+    const RecordedHandover recorded{static_cast<std::uint16_t>(handover.from),
+                                    static_cast<std::uint16_t>(handover.to), handover.sent - start,
+                                    handover.arrived - start};
+    if (recorded.sent >= record.window.from && recorded.arrived < record.window.to) {
+      record.handovers.push_back(recorded);
+    }
+  });
+}
+
 }  // namespace
 
 std::string backplane_name(std::size_t backplane) {
@@ -85,6 +97,7 @@ void start_record(models::CcettMachine& model, const TraceWindow& window, BusRec
     add_pause(pauses, instant - model.started().value_or(instant), record.window,
               record.pauses[master]);
   });
+  record_handovers(model, record);
 }
 
 void finish_record(const models::CcettMachine& model, BusRecord& record) {

@@ -276,8 +276,10 @@ void check_extents(const Scene& scene, const SimulationRequest& request) {
 void check_units(const Machine& machine, const SimulationRequest& request) {
   if (request.executed && models::has_units(machine.parameters.units)) {
     throw DescriptionError(
-        "units: the boards' program, which is executed, hands out no errands; allowed: a machine "
-        "without units, or a processor whose work is counted");
+        "units: the program that boards execute makes each pixel whole, and has no call that hands "
+        "out errands; allowed: --processor counted or recorded, which know the parts of a pixel, "
+        "or "
+        "a machine without units");
   }
   if (request.record != nullptr && legs_wanted(machine) == LegsOfPixels::told &&
       !request.record->has_legs()) {

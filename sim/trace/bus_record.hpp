@@ -61,6 +61,14 @@ struct RecordedPause {
   models::Instant to;
 };
 
+/// What one master has handed over to another, in a message on the bus.
+struct RecordedHandover {
+  std::uint16_t from;
+  std::uint16_t to;
+  models::Instant sent;     ///< the message was requested
+  models::Instant arrived;  ///< and has ended
+};
+
 /// A request that was not granted when the run was interrupted.
 struct StandingRequest {
   std::size_t board;
@@ -86,6 +94,7 @@ struct BusRecord {
   /// Of each board by its number, those that touch the window, in the order of time; of machines
   /// with function units alone.
   std::vector<std::vector<RecordedPause>> pauses = {};
+  std::vector<RecordedHandover> handovers = {};  ///< those within the window
 };
 
 /// How long a text is expected to be that says so many bytes about each access, and so many more

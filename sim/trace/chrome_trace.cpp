@@ -115,8 +115,22 @@ class ChromeTrace {
           access.grant < window.to &&
           std::binary_search(boards.begin(), boards.end(), std::size_t{access.board})) {
         ++flows_;
-        flow('s', access.request, track_of(access.board));
-        flow('f', access.grant, {process, k_owner_thread});
+        flow('s', "grant", access.request, track_of(access.board));
+        flow('f', "grant", access.grant, {process, k_owner_thread});
+      }
+    }
+  }
+
+  /// Arrows of what is handed over, from the request of a message to its end.
+  void handovers(const std::vector<std::size_t>& boards) {
+    const auto is_shown = [&boards](std::size_t board) {
+      return std::binary_search(boards.begin(), boards.end(), board);
+    };
+    for (const RecordedHandover& handover : record_.handovers) {
+      if (is_shown(handover.from) && is_shown(handover.to)) {
+        ++flows_;
+        flow('s', "errand", handover.sent, track_of(handover.from));
+        flow('f', "errand", handover.arrived, track_of(handover.to));
       }
     }
   }
@@ -146,10 +160,10 @@ class ChromeTrace {
     }
   }
 
-  void flow(char phase, Instant instant, const ChromeTrack& track) {
-    events_.event(R"({{"ph":"{}","name":"grant","cat":"bus","id":{},"ts":{},"pid":{},)"
+  void flow(char phase, const char* name, Instant instant, const ChromeTrack& track) {
+    events_.event(R"({{"ph":"{}","name":"{}","cat":"bus","id":{},"ts":{},"pid":{},)"
                   R"("tid":{}{}}})",
-                  phase, flows_, Microseconds(instant).text(), track.process, track.thread,
+                  phase, name, flows_, Microseconds(instant).text(), track.process, track.thread,
                   phase == 'f' ? R"(,"bp":"e")" : "");
   }
 
@@ -168,6 +182,7 @@ void write_chrome_trace(const BusRecord& record, const std::vector<std::size_t>&
   for (const std::size_t board : boards) {
     trace.board(board);
   }
+  trace.handovers(boards);
   int process = k_first_bus_process;
   for (const RecordedBus& bus : record.buses) {
     events.name_process(process, bus.name);
@@ -185,7 +200,9 @@ void write_chrome_trace(const BusRecord& record, const std::vector<std::size_t>&
 
 // Measured on whole frames.
 std::int64_t expected_chrome_trace_bytes(const BusRecord& record) {
-  return expected_bytes(record, 530, 390, 130);
+  constexpr std::int64_t k_per_handover = 180;
+  return expected_bytes(record, 530, 390, 130) +
+         k_per_handover * static_cast<std::int64_t>(record.handovers.size());
 }
 
 }  // namespace maquette::sim

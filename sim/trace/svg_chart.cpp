@@ -42,6 +42,12 @@ constexpr std::string_view k_head =
 <text x="110" y="34" font-size="20">{0}</text>
 )svg";
 
+constexpr std::string_view k_arrow_head =
+    R"svg(<defs><marker id="head" viewBox="0 0 6 6" refX="6" refY="3" markerWidth="6" markerHeight="6"
+ orient="auto"><path d="M0,0 L6,3 L0,6 z" fill="#d55e00"/></marker></defs>
+<style>.errand { stroke: #d55e00; stroke-width: 1; marker-end: url(#head); }</style>
+)svg";
+
 /// The step between marks of an axis: 1, 2 or 5 times a power of ten, at most some ten of them.
 Duration step_of(Duration span) {
   constexpr int k_marks = 10;
@@ -189,6 +195,19 @@ void SvgChart::label(const ChartBand& band, const std::string& text, Instant fro
     text_.add(R"(<text x="{:.1f}" y="{:.1f}" font-size="13" text-anchor="middle">{}</text>)"
               "\n",
               (x_of(from) + x_of(to)) / 2, band.top + band.height / 2 + 5, text);
+  }
+}
+
+void SvgChart::arrows(const std::vector<ChartArrow>& arrows) {
+  if (!arrows.empty()) {
+    text_.add("{}", k_arrow_head);
+  }
+  for (const ChartArrow& arrow : arrows) {
+    const bool is_down = arrow.from.top < arrow.to.top;
+    text_.add(R"(<line class="errand" x1="{:.2f}" y1="{:.2f}" x2="{:.2f}" y2="{:.2f}"/>)"
+              "\n",
+              x_of(arrow.sent), is_down ? arrow.from.top + arrow.from.height : arrow.from.top,
+              x_of(arrow.arrived), is_down ? arrow.to.top : arrow.to.top + arrow.to.height);
   }
 }
 

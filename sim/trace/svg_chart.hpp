@@ -25,6 +25,14 @@ struct ChartBand {
   double height;
 };
 
+/// An arrow from a track in an instant to another one in a later one.
+struct ChartArrow {
+  ChartBand from;
+  models::Instant sent;
+  ChartBand to;
+  models::Instant arrived;
+};
+
 /// A picture of a window of time for a slide: 1280 x 720, tracks below one another over one axis,
 /// a legend at the foot. Every state has a pattern besides its colour.
 class SvgChart {
@@ -43,6 +51,9 @@ class SvgChart {
   /// A text in the middle of a stay, where there is room for it.
   void label(const ChartBand& band, const std::string& text, models::Instant from,
              models::Instant to);
+
+  /// Arrows upon the tracks.
+  void arrows(const std::vector<ChartArrow>& arrows);
 
   /// The axis below the tracks, the legend, and the end of the picture.
   void finish(double axis_top, const std::vector<std::pair<std::string_view, std::string>>& legend);

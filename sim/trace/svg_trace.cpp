@@ -88,6 +88,27 @@ std::string title_of(const BusRecord& record) {
                      format_seconds(record.window.from));
 }
 
+/// What is handed over between the tracks, where the picture has room for so many arrows.
+std::vector<ChartArrow> arrows_of(const BusRecord& record, const std::vector<std::size_t>& boards,
+                                  double pitch) {
+  constexpr std::size_t k_most_arrows = 400;
+  std::vector<ChartArrow> arrows;
+  const auto band_of = [&](std::size_t board) {
+    const auto track = std::lower_bound(boards.begin(), boards.end(), board) - boards.begin();
+    return ChartBand{k_top + pitch * static_cast<double>(track), pitch * (1 - k_gap)};
+  };
+  const auto is_shown = [&boards](std::size_t board) {
+    return std::binary_search(boards.begin(), boards.end(), board);
+  };
+  for (const RecordedHandover& handover : record.handovers) {
+    if (is_shown(handover.from) && is_shown(handover.to)) {
+      arrows.push_back(
+          {band_of(handover.from), handover.sent, band_of(handover.to), handover.arrived});
+    }
+  }
+  return arrows.size() > k_most_arrows ? std::vector<ChartArrow>() : arrows;
+}
+
 }  // namespace
 
 void write_svg_trace(const BusRecord& record, const std::vector<std::size_t>& boards,
@@ -104,6 +125,7 @@ void write_svg_trace(const BusRecord& record, const std::vector<std::size_t>& bo
     chart.track(band, record.boards[board].name, stays_of(record, board));
     next();
   }
+  chart.arrows(arrows_of(record, boards, pitch));
   pitch = bus_pitch;
   band.height = pitch * (1 - k_gap);
   for (const RecordedBus& bus : record.buses) {

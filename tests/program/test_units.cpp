@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/catch.hpp"
+#include "tests/program/chrome_reader.hpp"
 #include "tests/program/program.hpp"
 
 /// Whole runs of machines with function units.
@@ -114,12 +117,40 @@ TEST_CASE("Traces have a track for each unit") {
   }
 }
 
+TEST_CASE("Traces have an arrow for all that is handed over, from its request to its arrival") {
+  const ScratchDirectory scratch;
+  require_good(run_into(scratch / "traced", std::string(k_machines[1]) +
+                                                " --trace bus.json --trace bus.svg"
+                                                " --trace-window '100 ms..250 ms'"));
+  const ChromeTraceReader trace(content_of(scratch / "traced" / "bus.json"));
+  std::map<std::pair<std::string, std::string>, int> arrows;  // by the tracks' names
+  for (const Arrow& arrow : trace.arrows) {
+    const std::string to = trace.thread_name(arrow.to_track);
+    if (to == "owner") {
+      continue;  // a grant
+    }
+    const std::string from = trace.thread_name(arrow.from_track);
+    ++arrows[{from.substr(0, from.find(' ')), to.substr(0, to.find(' '))}];
+    const std::vector<Slice> slices = trace.slices("boards", from);
+    CHECK(std::any_of(slices.begin(), slices.end(), [&arrow](const Slice& slice) {
+      return slice.name == "transfer" && slice.to == arrow.to;
+    }));
+  }
+  const auto between = [&arrows](const char* from, const char* to) { return arrows[{from, to}]; };
+  CHECK(between("board0", "extents0") > 0);
+  CHECK(between("extents0", "intersection0") > 0);
+  CHECK(between("intersection0", "extents0") > 0);
+  CHECK(between("photometry0", "board0") > 0);
+  CHECK(between("board0", "board0") == 0);
+  CHECK_THAT(content_of(scratch / "traced" / "bus.svg"), ContainsSubstring("class=\"errand\""));
+}
+
 TEST_CASE("A program that boards execute hands out no errands") {
   const ScratchDirectory scratch;
   const Outcome refused =
       run_into(scratch / "executed", std::string(k_machines[0]) + " --processor instruction");
   CHECK(refused.exit_code == 2);
-  CHECK_THAT(refused.errors, ContainsSubstring("hands out no errands"));
+  CHECK_THAT(refused.errors, ContainsSubstring("hands out errands; allowed: --processor counted"));
 }
 
 TEST_CASE("A scene that does not fit a unit says so") {
