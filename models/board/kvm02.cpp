@@ -15,6 +15,14 @@ namespace {
 
 constexpr std::size_t k_stack_bytes = std::size_t{1} << 20U;  // pixel sources compute on it
 
+/// Of two words, with the time between them that they have on the bus as well.
+Duration keeping_time(const OwnPixels& own_pixels, const Kvm02Parameters& parameters,
+                      const Processor& processor) {
+  const OwnPixelClocks clocks = own_pixels.clocks(parameters);
+  return processor.time_of(clocks.first_word + clocks.second_word) +
+         processor.clock().times(parameters.word_gap_clocks);
+}
+
 std::size_t checked_ram_bytes(const Kvm02Parameters& parameters) {
   if (parameters.ram_bytes <= 0) {
     throw std::invalid_argument("a board must have RAM");
@@ -146,10 +154,17 @@ void Kvm02::run_dispatcher() {
     if (pixel_meter_) {
       pixel_meter_->compute({pixel.column, pixel.row}, processor_.spent());
     }
-    writer_.clear();
-    writer_.append(pixel);
-    writer_.aim();
-    processor_.transact(writer_.burst());
+    if (own_pixels_) {
+      processor_.compute(keeping_time(*own_pixels_, parameters_, processor_));
+      processor_.pass();
+      own_pixels_->keep({pixel.column, pixel.row}, frame_.format.written(pixel.rgb, pixel.depth),
+                        processor_.now(), ram_);
+    } else {
+      writer_.clear();
+      writer_.append(pixel);
+      writer_.aim();
+      processor_.transact(writer_.burst());
+    }
     tell_written();
   };
   dispatcher_(
@@ -245,11 +260,8 @@ SynthesizedPixel Kvm02::synthesize() {
   return pixel;
 }
 
-// Two words, with the time between them that they have on the bus as well.
 void Kvm02::keep_pixels(const OwnPixels& own_pixels) {
-  const OwnPixelClocks clocks = own_pixels.clocks(parameters_);
-  const Duration writing = processor_.time_of(clocks.first_word + clocks.second_word) +
-                           processor_.clock().times(parameters_.word_gap_clocks);
+  const Duration writing = keeping_time(own_pixels, parameters_, processor_);
   while (cursor_.has_pixel()) {
     const SynthesizedPixel pixel = synthesize();
     processor_.compute(writing);

@@ -77,8 +77,6 @@ void check_units(const Machine& machine, const YamlNode& root) {
           "boards that hand out errands have copies; own_copy is allowed");
   require(!models::keeps_line(parameters.board.pixel_write), root, "board.pixel_write",
           "boards that hand out errands write each pixel when it is done; pixel is allowed");
-  require(!models::is_distributed(parameters.frame_memory), root, "frame_memory.place",
-          "boards that hand out errands write their pixels over the bus; central is allowed");
   require(parameters.frame_memory.ports == 1, root, "frame_memory.ports",
           "boards and units are on one backplane; 1 is allowed");
   check_in_flight(parameters, root);

@@ -79,6 +79,37 @@ TEST_CASE("a unit with costs and a clock of its own serves at them, and boards a
   CHECK(statistics.boards[0].working == (5000 + k_zone.pixels() * 300) * k_clock);
 }
 
+TEST_CASE("boards with units keep the pixels that they own in their RAM") {
+  MachineParameters parameters = with_units(1, UnitKind::intersection, 1);
+  parameters.bus.level = k_ideal_level;
+  parameters.allotment.order = Allotment::interlaced;
+  parameters.board.ram_bytes = std::int64_t{1024} * 1024;
+  const LegsOf legs =
+      always({leg(Stage::extents, 300), leg(Stage::intersection, 700, 9, 4), leg(Stage::board, 9)});
+  UnitRun central("central", parameters, k_zone, legs);
+  parameters.frame_memory.place = FramePlace::boards;
+  UnitRun own("own", parameters, k_zone, legs);
+  parameters.boards = machine(4).boards;
+  parameters.units.in_flight = 2;
+  parameters.bus.level = k_transaction_level;
+  UnitRun four("four", parameters, k_zone, legs);
+  sc_core::sc_start();
+  const std::int64_t pixels = k_zone.pixels();
+  const Duration written = 2 * k_word + k_gap;
+  const Duration kept = 2 * 5 * k_clock + k_gap;  // two cycles of the RAM, with a wait state each
+  CHECK(own.machine.statistics().frame_time ==
+        central.machine.statistics().frame_time + pixels * (kept - written));
+  CHECK(own.machine.statistics().boards[0].words == pixels * 2 * (1 + 9));
+  for (const UnitRun* run : {&central, &own, &four}) {
+    check_unit_run(run->machine);
+    const Picture picture = run->machine.frame_memory().picture();
+    for (int column = k_zone.column0; column < k_zone.column0 + k_zone.width; ++column) {
+      REQUIRE(picture.pixels[static_cast<std::size_t>(6 * picture.width + column)] ==
+              colour({column, 6}));
+    }
+  }
+}
+
 TEST_CASE("without contention and arbitration a bus is ideal") {
   MachineParameters parameters = with_units(1, UnitKind::photometry, 1);
   parameters.bus.arbitration_clocks = 0;

@@ -77,6 +77,7 @@ struct UnitRun {
   FrameSetup with_legs(const PixelRectangle& rectangle) {
     FrameSetup setup = zone(rectangle);
     setup.legs = &source;
+    setup.pixel_address = 0x1000;  // of boards that keep their pixels
     return setup;
   }
 };
