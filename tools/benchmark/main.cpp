@@ -30,7 +30,8 @@ constexpr Measurement k_measurements[] = {{"simulation", maquette::benchmark::me
                                           {"terrain", maquette::benchmark::measure_terrain},
                                           {"unions", maquette::benchmark::measure_unions},
                                           {"povray", maquette::benchmark::measure_povray},
-                                          {"patches", maquette::benchmark::measure_patches}};
+                                          {"patches", maquette::benchmark::measure_patches},
+                                          {"viewing", maquette::benchmark::measure_viewing}};
 
 std::vector<std::string> measurement_names() {
   std::vector<std::string> names;

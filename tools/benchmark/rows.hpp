@@ -61,6 +61,9 @@ std::vector<Row> measure_povray(const Paths& paths);
 /// Rays against the patches of the teapot, in this process.
 std::vector<Row> measure_patches(const Paths& paths);
 
+/// Pages, maps and films: what they take beyond the run, or from its record.
+std::vector<Row> measure_viewing(const Paths& paths);
+
 /// Writes a picture of one pixel: what a process costs before it renders anything.
 void render_nothing(const std::string& directory);
 
