@@ -40,9 +40,10 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
   CLI::Option* const film =
       verb.add_option("--film", options.place,
                       "show the frame memory as the video reader shows it while it fills: an "
-                      "animated .gif, or a folder of pictures; a name alone is put into the run "
+                      "animated .gif, or .png, which is faster and has all colours, or a folder of "
+                      "pictures; a name alone is put into the run "
                       "directory")
-          ->type_name("FILE.gif|DIR");
+          ->type_name("FILE.gif|FILE.png|DIR");
   CLI::Option* const step =
       verb.add_option("--film-step", options.step, "simulated time between two of its pictures")
           ->type_name("TIME")
@@ -63,10 +64,11 @@ void add_film_options(CLI::App& verb, FilmOptions& options) {
 FilmRequest film_request(const FilmOptions& options) {
   FilmRequest request{options.place, {}, options.pictures, options.as_fields, options.has_clock};
   const std::string extension = request.place.extension().string();
-  if (!extension.empty() && !request.is_gif()) {
-    fail("--film " + options.place, "films as `" + extension +
-                                        "` are not written; allowed: .gif, or a folder, whose name "
-                                        "has no extension");
+  if (!extension.empty() && !request.is_one_file()) {
+    fail("--film " + options.place,
+         "films as `" + extension +
+             "` are not written; allowed: .gif, .png, or a folder, whose name "
+             "has no extension");
   }
   if (!options.step.empty()) {
     request.step = step_of(options.step);
@@ -79,10 +81,12 @@ FilmRequest film_request(const FilmOptions& options) {
 void write_film(const FilmRequest& request, const std::filesystem::path& workplace,
                 const NextFilmPicture& next) {
   const std::filesystem::path place = place_of_result(request.place, workplace);
-  if (request.is_gif()) {
+  if (request.is_one_file()) {
     create_run_directory(place.parent_path());
-    write_files(place.parent_path(),
-                {{place.filename().string(), encode_film(k_pictures_per_s, next)}});
+    write_files(
+        place.parent_path(),
+        {{place.filename().string(), request.is_gif() ? encode_film(k_pictures_per_s, next)
+                                                      : encode_png_film(k_pictures_per_s, next)}});
     return;
   }
   std::vector<NamedContent> files;

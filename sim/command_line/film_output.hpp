@@ -29,6 +29,7 @@ struct FilmRequest {
 
   [[nodiscard]] bool is_wanted() const { return !place.empty(); }
   [[nodiscard]] bool is_gif() const { return place.extension() == ".gif"; }
+  [[nodiscard]] bool is_one_file() const { return is_gif() || place.extension() == ".png"; }
 };
 
 /// Adds --film and what goes with it to a verb.

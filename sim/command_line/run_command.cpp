@@ -164,7 +164,7 @@ std::vector<RequestedOutput> outputs_of(const RunOptions& options,
   if (!options.record.empty() && options.processor != "recorded") {
     outputs.push_back({"--record", options.record});
   }
-  if (const FilmRequest film = film_request(options.film); film.is_gif()) {
+  if (const FilmRequest film = film_request(options.film); film.is_one_file()) {
     outputs.push_back({"--film", place_of_result(film.place, directory)});
   }
   for (const std::string& file : options.trace.files) {

