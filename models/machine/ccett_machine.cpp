@@ -215,7 +215,11 @@ void CcettMachine::make_units(const MachineParameters& parameters,
   backplane.boards.insert(backplane.boards.end(), units_->masters().begin(),
                           units_->masters().end());
   for (std::size_t unit = 0; unit < setup.unit_images.size(); ++unit) {
-    backplane.images.push_back({addresses.unit(unit), setup.unit_images[unit]});
+    const std::vector<unsigned char>& image = setup.unit_images[unit];
+    add_images(addresses.unit(unit), image,
+               setup.unit_loaded.empty() ? std::vector<ImageRange>{{0, image.size()}}
+                                         : setup.unit_loaded.at(unit),
+               backplane.images);
   }
 }
 

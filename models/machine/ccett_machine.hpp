@@ -45,6 +45,7 @@ struct FrameSetup {
   LegSource* legs = nullptr;        ///< of the source's pixels; of a machine with units
   std::uint32_t reply_address = 0;  ///< in a board's RAM, of what units hand back
   std::vector<std::vector<unsigned char>> unit_images;  ///< database by unit; empty: none
+  std::vector<std::vector<ImageRange>> unit_loaded;     ///< by unit, as `loaded`; empty: all
   bool keep_log = false;  ///< of the writes, for pictures at an instant
 };
 

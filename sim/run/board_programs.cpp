@@ -64,6 +64,12 @@ void load_changes(const models::FrameSetup& before, const Machine& machine,
     return;
   }
   const auto word_bytes = static_cast<std::size_t>(machine.parameters.bus.data_width_bits / 8);
+  if (before.unit_images.size() == setup.unit_images.size()) {
+    for (std::size_t unit = 0; unit < setup.unit_images.size(); ++unit) {
+      setup.unit_loaded.push_back(
+          changed_ranges(before.unit_images[unit], setup.unit_images[unit], word_bytes));
+    }
+  }
   // The boards' images differ in what each is told of its share, which stays from frame to frame.
   setup.loaded = changed_ranges(before.images.front(), setup.images.front(), word_bytes);
   if (setup.program) {

@@ -13,9 +13,9 @@ namespace maquette::sim {
 void set_images(const PackedScene<float>& packed, const Machine& machine,
                 models::FrameSetup& setup);
 
-/// Leaves out what the boards hold already from the images of another scene, set up for the same
-/// machine: of a scene's images only the words that differ are loaded. Programs that are executed
-/// find the rest in their RAM.
+/// Leaves out what the boards and function units hold already from the images of another scene, set
+/// up for the same machine: of a scene's images only the words that differ are loaded. Programs
+/// that are executed find the rest in their RAM.
 void load_changes(const models::FrameSetup& before, const Machine& machine,
                   models::FrameSetup& setup);
 

@@ -324,7 +324,10 @@ SimulationResult simulate_checked(const Scene& scene, const Machine& machine,
   if (request.held != nullptr) {
     models::FrameSetup before;
     before.useful_zone = setup.useful_zone;
-    set_images(packed_scene<float>(*request.held, picture_format_of(machine)), roomy, before);
+    const auto held = packed_scene<float>(*request.held, picture_format_of(machine));
+    set_images(held, roomy, before);
+    Machine of_held = priced;
+    set_units(*request.held, held, map, of_held, before);
     load_changes(before, roomy, setup);
   }
   setup.keep_log = !request.snapshots.empty() || !request.shown_snapshots.empty() ||

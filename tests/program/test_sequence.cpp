@@ -42,7 +42,8 @@ TEST_CASE("frames of a sequence are those of their scenes, but for what need not
   const std::string sequence = scratch.file("sequence.yaml", scene_of(k_frames));
   for (const std::string options :
        {"", " --set board.database=shared", " --processor instruction",
-        " --processor instruction --set board.arithmetic=maquette_ffp"}) {
+        " --processor instruction --set board.arithmetic=maquette_ffp",
+        " --set units.photometry.number=2 --set units.extents.number=2"}) {
     CAPTURE(options);
     const Outcome outcome = run_maquette("run " + sequence + options + k_coarse + " --outdir " +
                                          (scratch / "all").string());
@@ -121,7 +122,8 @@ TEST_CASE("where a point of a net moves the host loads it alone, and boards make
       "sequence.yaml", scene("1",
                              "sequence: {frames: 3, vary: {object.patches.points.5.2: [1, 1.1, "
                              "1.3]}}\n"));
-  for (const std::string options : {"", " --processor instruction"}) {
+  for (const std::string options :
+       {"", " --processor instruction", " --set units.intersection.number=64"}) {
     CAPTURE(options);
     check_reloading(scratch, sequence, scratch.file("alone.yaml", scene("1.3", "")), options);
   }
