@@ -1,5 +1,6 @@
 // A pixel of the picture, pointed at or reached by arrow keys: where it is and what is known of it.
 import { addLayers, bytesOf, readLayers, toldValue, valueAt } from "#layers";
+import { addMonitor } from "#monitor";
 
 const steps = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 const fastStep = 16;
@@ -84,6 +85,7 @@ export async function startProbe(document) {
   const bytes = await bytesOf(figure.querySelector("img"), document);
   const layers = await readLayers(data.layers, document);
   addLayers(figure, data, layers, document);
+  addMonitor(figure, data, document);
   const marker = addMarker(figure, data, document);
   const list = addReading(figure, document);
   let pixel = { x: Math.floor(data.zone.column + data.zone.width / 2),
