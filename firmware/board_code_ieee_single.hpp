@@ -10,7 +10,7 @@
 namespace maquette::firmware::board_code_ieee_single {
 
 /// The version of the firmware that the program is made from.
-inline constexpr const char* k_firmware_version = "e887477c418db5917e2ecffee6775c85e211b5fe";
+inline constexpr const char* k_firmware_version = "41f221a63a3d79a93995aa841306f3bbc2b7e16a";
 
 inline constexpr CodePiece k_pieces[] = {
     {"converting_program", 0, 78, 0, 2, 40},

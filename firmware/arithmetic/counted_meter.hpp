@@ -44,15 +44,15 @@ struct CountedMeter {
   std::size_t cell;                         ///< the present one
   std::size_t first_of_ray;                 ///< the first one of the present kind of ray
   const LegListener* listener;              ///< to legs, if there is one
-  std::uint32_t ray;                        ///< that RayKind
   std::uint64_t rays;                       ///< a bit for each since the reset
   std::uint64_t rays_entered;               ///< a bit for each since a listener has cleared them
   std::uint64_t entered[k_ray_kind_count];  ///< a bit for each function of a ray since the reset
-  RayKind shadow_ray;                       ///< towards the light that was asked last
-  RayKind waiting[k_waiting_rays];          ///< by place on the stack of rays
   ExtentCounts extents[k_extent_kind_count];
-  std::uint32_t intersection_roots[k_root_step_limit + 1];  ///< by steps, those of intersections
+  std::uint32_t ray;                                        ///< the present kind
   int root_steps_end;                                       ///< more than any of them took
+  std::uint32_t intersection_roots[k_root_step_limit + 1];  ///< by steps, those of intersections
+  RayKind shadow_ray;               ///< towards the light that was asked last
+  RayKind waiting[k_waiting_rays];  ///< by place on the stack of rays
 
   std::uint64_t& place(Operation operation) {
     return cells[cell].counts[static_cast<std::size_t>(operation)];
