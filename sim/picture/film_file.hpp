@@ -24,6 +24,6 @@ std::string encode_film(double pictures_per_s, const NextFilmPicture& next);
 std::string encode_png_film(double pictures_per_s, const NextFilmPicture& next);
 
 /// The picture with its caption as the bytes of a PNG file. Throws std::runtime_error.
-std::string encode_film_picture(const FilmPicture& picture);
+std::string encode_film_picture(const FilmPicture& film);
 
 }  // namespace maquette::sim
