@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "sim/command_line/common_options.hpp"
+#include "sim/command_line/cost_table_report.hpp"
 #include "sim/command_line/description_tables.hpp"
 #include "sim/command_line/key_help.hpp"
 #include "sim/command_line/parameter_groups.hpp"
@@ -109,6 +110,14 @@ std::string description_of(const DescribeOptions& options) {
   if (names_part(options.common.scene)) {
     return explained(options.common.scene, options.format);
   }
+  if (options.common.machine.empty() && names_cost_table(options.common.scene, data_directory())) {
+    DescriptionSources sources;
+    sources.data_directory = data_directory();
+    sources.overrides = options.common.overrides;
+    return in_format(
+        options.format, [&] { return cost_table_report(options.common.scene, sources); },
+        [&] { return cost_table(options.common.scene, sources); });
+  }
   return description_text(options);
 }
 
@@ -138,11 +147,11 @@ void add_describe_command(CLI::App& program) {
                 "units instead")
       ->excludes(statistics)
       ->excludes(verb.get_option("--format"));
-  verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE|STUDY|PART");
+  verb.get_option("SCENE")->required(false)->type_name("FILE|SCENE|MACHINE|STUDY|TABLE|PART");
   add_footer(verb, {},
              {"maquette describe photo4", "maquette describe photo4 --legs",
               "maquette describe ccett-1984 --format csv", "maquette describe --statistics",
-              "maquette describe revolution"});
+              "maquette describe revolution", "maquette describe motorola_ffp"});
   verb.callback([options, statistics, &verb] {
     if (!*statistics && !options->maps && options->keys.empty() && options->common.scene.empty()) {
       throw CLI::RequiredError(verb.get_option("SCENE")->get_name());

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -179,6 +180,39 @@ TEST_CASE("the name of a part means its keys, unless a file is called so") {
                                       "/scenes/primitives/torus.yaml"))
                  .output,
              !ContainsSubstring("Example: "));
+}
+
+TEST_CASE("the name of a cost table means its figures, as a board that names it has them") {
+  const std::filesystem::path models = MAQUETTE_PROJECT_DIRECTORY "/models";
+  for (const std::string kind : {"arithmetic", "program"}) {
+    for (const auto& file : std::filesystem::directory_iterator(models / kind)) {
+      const std::string name = file.path().stem().string();
+      INFO(kind << " " << name);
+      if (std::filesystem::exists(models / "machines" / file.path().filename())) {
+        CHECK_THAT(run_maquette("describe " + name).output, ContainsSubstring("Machine " + name));
+        continue;
+      }
+      std::map<std::string, Json> rows;
+      for (const Json& row : described(name)) {
+        rows[row["operation"]] = row;
+      }
+      int figures = 0;
+      for (const Json& row : described("ccett-1984 --set board." + kind + "=" + name)) {
+        const std::string path = row["path"];
+        const std::string start = "board." + kind + ".";
+        const std::size_t dot = path.rfind('.');
+        const std::string column = path.substr(dot + 1);
+        if (path.find(start) == 0 && (column == "clocks" || column == "reads")) {
+          CHECK(rows.at(path.substr(start.size(), dot - start.size()))[column] == row["value"]);
+          ++figures;
+        }
+      }
+      CHECK(figures >= 34);
+      CHECK_THAT(run_maquette("describe " + name).output, ContainsSubstring("Cost table " + name));
+    }
+  }
+  CHECK(described("motorola_ffp --set board.arithmetic.add.clocks=77").front()["clocks"] == 77);
+  CHECK(run_maquette("describe motorola_ffp --set board.arithmetic.add.clocks=-1").exit_code == 2);
 }
 
 TEST_CASE("a study is described with what it varies and the columns that it derives") {
