@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <vector>
 
+#include "sim/database/scene_report.hpp"
+#include "sim/machine/cost_fields.hpp"
 #include "sim/scene/shipped_descriptions.hpp"
 
 namespace maquette::sim {
@@ -15,8 +17,8 @@ namespace {
 /// A kind of cost tables, and the operations that its tables are of.
 struct CostTableKind {
   const char* name;  ///< of the folder, and of the key that names a table
-  int first;
-  int end;
+  std::size_t first;
+  std::size_t end;
   const char* meaning;
 };
 
@@ -39,23 +41,21 @@ Machine machine_with(const std::string& name, const CostTableKind& kind,
   return load_machine(sources, files);
 }
 
-std::vector<std::string> row_of(const Machine& machine, int operation) {
-  const auto i = static_cast<std::size_t>(operation);
+std::vector<std::string> row_of(const Machine& machine, std::size_t i) {
   const models::ArithmeticCosts& costs = machine.parameters.board.arithmetic;
   const models::OperationCost& cost = costs.operations[i];
   const CostSource& source = machine.tables.sources[i];
-  constexpr const char* k_marks = "RMWI";
   return {firmware::k_operation_names[i],
           fmt::format("{}", cost.clocks),
           fmt::format("{}", cost.reads),
           fmt::format("{}", cost.writes),
-          costs.called[i] ? "call" : "in line",
-          std::string(1, k_marks[static_cast<int>(source.mark)]),
+          costs.called[i] ? "called" : "in line",
+          confidence_marks().write(source.mark).text,
           source.text};
 }
 
 void add_rows(const Machine& machine, const CostTableKind& kind, Table& table) {
-  for (int operation = kind.first; operation < kind.end; ++operation) {
+  for (std::size_t operation = kind.first; operation < kind.end; ++operation) {
     table.rows.push_back(row_of(machine, operation));
   }
 }
@@ -69,17 +69,6 @@ Table headings() {
            {"mark", "", ""},
            {"source", "", ""}},
           {}};
-}
-
-std::string text_of(const Table& table) {
-  std::string text;
-  std::string before;
-  for (const std::vector<std::string>& row : table.rows) {
-    text += fmt::format("  {:<18}{:>9}{:>9}{:>9}  {:<8}{}  {}\n", row[0], row[1], row[2], row[3],
-                        row[4], row[5], row[6] == before ? "likewise" : row[6]);
-    before = row[6];
-  }
-  return text;
 }
 
 }  // namespace
@@ -110,13 +99,12 @@ std::string cost_table_report(const std::string& name, const DescriptionSources&
     if (!is_shipped(name, sources.data_directory, kind.name)) {
       continue;
     }
-    Table table = headings();
-    add_rows(machine_with(name, kind, sources), kind, table);
+    const Machine machine = machine_with(name, kind, sources);
     text += fmt::format(
-        "{}Cost table {}: {}, as `{}` of a board or unit\n"
-        "  {:<18}{:>9}{:>9}{:>9}  {:<8}source: R read, M measured, W widely stated, I inferred\n{}",
-        text.empty() ? "" : "\n", name, kind.meaning, kind.name, "operation", "clocks", "reads",
-        "writes", "", text_of(table));
+        "{}Cost table {}: {}, as `{}` of a board or unit; R read, M measured, W widely stated, I "
+        "inferred\n{}",
+        text.empty() ? "" : "\n", name, kind.meaning, kind.name,
+        cost_lines(machine.parameters.board.arithmetic, machine.tables, kind.first, kind.end));
     text += fmt::format("  its keys: maquette describe --keys {}\n", kind.name);
   }
   return text;

@@ -11,6 +11,7 @@
 #include "sim/database/needs.hpp"
 #include "sim/database/packed_scene.hpp"
 #include "sim/database/surface_union_report.hpp"
+#include "sim/machine/cost_fields.hpp"
 #include "sim/machine/machine_description.hpp"
 #include "sim/scene/scene_description.hpp"
 
@@ -86,38 +87,14 @@ std::string parameter_table(const std::vector<ParameterRow>& rows) {
   return text;
 }
 
-const char* mark_of(ConfidenceMark mark) {
-  switch (mark) {
-    case ConfidenceMark::read:
-      return "R";
-    case ConfidenceMark::measured:
-      return "M";
-    case ConfidenceMark::stated:
-      return "W";
-    case ConfidenceMark::inferred:
-      break;
-  }
-  return "I";
-}
-
-/// One line per operation: costs without wait states, whether a call, mark and source. `path` is
-/// where they stand in the machine.
+/// `path` is where the costs stand in the machine.
 std::string cost_table(const std::string& path, const models::ArithmeticCosts& costs,
                        const CostTables& tables) {
-  std::string text = fmt::format(
+  const std::string text = fmt::format(
       "Cost table {} ({}.arithmetic.OPERATION.clocks, .reads, .writes), {} bytes of "
       "code; R read, M measured, W widely stated, I inferred\n",
       tables.arithmetic, path, costs.package_bytes);
-  text += fmt::format("  {:<17} {:>8} {:>7} {:>7}  {:<7} {}\n", "operation", "clocks", "reads",
-                      "writes", "", "source");
-  for (std::size_t i = 0; i < costs.operations.size(); ++i) {
-    const models::OperationCost& cost = costs.operations[i];
-    const CostSource& source = tables.sources[i];
-    text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
-                        firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
-                        costs.called[i] ? "called" : "in line", mark_of(source.mark), source.text);
-  }
-  return text;
+  return text + cost_lines(costs, tables, 0, costs.operations.size());
 }
 
 /// Those of function units with costs of their own.
@@ -144,6 +121,21 @@ bool is_in_cost_table(const ParameterRow& row) {
 }
 
 }  // namespace
+
+std::string cost_lines(const models::ArithmeticCosts& costs, const CostTables& tables,
+                       std::size_t first, std::size_t end) {
+  std::string text = fmt::format("  {:<17} {:>8} {:>7} {:>7}  {:<7} {}\n", "operation", "clocks",
+                                 "reads", "writes", "", "source");
+  for (std::size_t i = first; i < end; ++i) {
+    const models::OperationCost& cost = costs.operations[i];
+    const CostSource& source = tables.sources[i];
+    text += fmt::format("  {:<17} {:>8g} {:>7g} {:>7g}  {:<7} [{}] {}\n",
+                        firmware::k_operation_names[i], cost.clocks, cost.reads, cost.writes,
+                        costs.called[i] ? "called" : "in line",
+                        confidence_marks().write(source.mark).text, source.text);
+  }
+  return text;
+}
 
 std::string scene_report(const Scene& scene, const Machine& machine) {
   const PackedScene<float> packed = packed_scene<float>(scene, picture_format_of(machine));

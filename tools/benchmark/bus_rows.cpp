@@ -1,8 +1,8 @@
 #include <string>
 
-#include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/median.hpp"
 #include "tools/benchmark/rows.hpp"
+#include "tools/benchmark/simulation_process.hpp"
 
 namespace maquette::benchmark {
 
@@ -11,9 +11,7 @@ namespace {
 constexpr int k_repetitions = 5;
 
 double processor_time_s(const Paths& paths, const std::string& level) {
-  return run_process({paths.program, "run", paths.scene, "--quiet", "--threads", "1", "--bus",
-                      level, "--outdir", paths.scratch + "/bus_" + level})
-      .processor_time_s;
+  return run_simulation(paths, "bus_" + level, {"--bus", level}).processor_time_s;
 }
 
 }  // namespace

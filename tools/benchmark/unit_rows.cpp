@@ -1,8 +1,8 @@
 #include <string>
 
-#include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/median.hpp"
 #include "tools/benchmark/rows.hpp"
+#include "tools/benchmark/simulation_process.hpp"
 
 namespace maquette::benchmark {
 
@@ -12,9 +12,7 @@ constexpr int k_repetitions = 9;
 constexpr double k_bound = 5;
 
 double processor_time_s(const Paths& paths, const std::string& machine) {
-  return run_process({paths.program, "run", paths.scene, "--quiet", "--threads", "1", "--machine",
-                      machine, "--outdir", paths.scratch + "/" + machine})
-      .processor_time_s;
+  return run_simulation(paths, machine, {"--machine", machine}).processor_time_s;
 }
 
 }  // namespace

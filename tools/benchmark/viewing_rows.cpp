@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "sim/maps/map_table.hpp"
-#include "tools/benchmark/child_process.hpp"
 #include "tools/benchmark/median.hpp"
 #include "tools/benchmark/rows.hpp"
+#include "tools/benchmark/simulation_process.hpp"
 
 namespace maquette::benchmark {
 
@@ -18,12 +18,8 @@ constexpr int k_gif_pictures = 10;
 
 using Arguments = std::vector<std::string>;
 
-/// A run with one thread and more arguments.
 ProcessUsage run(const Paths& paths, const Arguments& arguments) {
-  Arguments command{paths.program, "run", paths.scene, "--quiet",
-                    "--threads",   "1",   "--outdir",  paths.scratch + "/viewed"};
-  command.insert(command.end(), arguments.begin(), arguments.end());
-  return run_process(command);
+  return run_simulation(paths, "viewed", arguments);
 }
 
 Arguments with(Arguments first, const Arguments& second) {
